@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: MIT
+# One interface target that every target of ours links: language level, warnings, sanitizers.
+add_library(sl_options INTERFACE)
+target_compile_features(sl_options INTERFACE cxx_std_20)
+target_include_directories(sl_options INTERFACE ${CMAKE_SOURCE_DIR})
+target_compile_options(sl_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
+                                            $<$<BOOL:${SL_WERROR}>:-Werror>)
+# Fused multiply-add would make two compilers' pictures differ; the engine's figures must not depend on it.
+target_compile_options(sl_options INTERFACE -ffp-contract=off)
+if(SL_NATIVE)
+    target_compile_options(sl_options INTERFACE -march=native)
+endif()
+if(SL_SANITIZE)
+    target_compile_options(sl_options INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer
+                                                -fno-sanitize-recover=all)
+    target_link_options(sl_options INTERFACE -fsanitize=address,undefined)
+endif()
+target_link_libraries(sl_options INTERFACE glm::glm fmt::fmt spdlog::spdlog)
+target_compile_definitions(sl_options INTERFACE GLM_FORCE_DEPTH_ZERO_TO_ONE GLM_ENABLE_EXPERIMENTAL)
+
+# sl_library(NAME [folders...] LINK libs...): a static library of every .cpp directly in the given folders.
+function(sl_library name)
+    cmake_parse_arguments(ARG "" "" "FOLDERS;LINK" ${ARGN})
+    set(sources)
+    foreach(folder ${ARG_FOLDERS})
+        file(GLOB found CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp)
+        list(APPEND sources ${found})
+    endforeach()
+    if(sources)
+        add_library(${name} STATIC ${sources})
+        target_link_libraries(${name} PUBLIC sl_options ${ARG_LINK})
+    else()
+        add_library(${name} INTERFACE)
+        target_link_libraries(${name} INTERFACE sl_options ${ARG_LINK})
+    endif()
+endfunction()

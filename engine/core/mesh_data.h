@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "engine/core/math.h"
+#include "engine/core/slot_map.h"
+
+namespace sl {
+
+/// One vertex as the GPU reads it, 32 bytes.
+struct Vertex {
+    vec3 position;                       ///< metres, local space
+    std::uint32_t normal = 0;            ///< pack_normal
+    vec2 uv{0.0f};                       ///< texture repeats at whole numbers
+    std::uint32_t material = 0;          ///< added to the draw's first material
+    std::uint32_t colour = 0xffffffffu;  ///< RGBA8, linear, multiplies the base colour
+};
+static_assert(sizeof(Vertex) == 32);
+
+/// Triangles as plain arrays; counter-clockwise is the front.
+struct MeshData {
+    std::vector<Vertex> vertices;
+    std::vector<std::uint32_t> indices;
+    Bounds bounds;
+    std::uint32_t version = 0;  ///< whoever changes the arrays counts this up, so that caches notice
+};
+
+using MeshHandle = Handle<MeshData>;
+/// All meshes of a world, a resource.
+using MeshPool = SlotMap<MeshData>;
+
+}  // namespace sl

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/render/gl/gl.h"
+
+namespace sl::gl {
+
+/// Which files make a program; paths are relative to the shader folder. Either compute alone, or vertex and
+/// (optionally) fragment.
+struct ProgramDesc {
+    std::string vertex;
+    std::string fragment;
+    std::string compute;
+    std::vector<std::pair<std::string, std::string>> defines;  ///< two switches at most per shader
+
+    auto operator<=>(const ProgramDesc&) const = default;
+};
+
+/// A linked program and what the linker says it needs, by the shader's own names. Bindings are assigned at link, in
+/// name order, so no number is ever written by hand.
+class Program {
+  public:
+    explicit Program(GLuint id);
+    ~Program();
+    Program(const Program&) = delete;
+    Program& operator=(const Program&) = delete;
+
+    GLuint id() const { return id_; }
+    const std::map<std::string, GLuint>& samplers() const { return samplers_; }             ///< name -> texture unit
+    const std::map<std::string, GLuint>& images() const { return images_; }                 ///< name -> image unit
+    const std::map<std::string, GLuint>& uniform_blocks() const { return uniform_blocks_; } ///< block name -> binding
+    const std::map<std::string, GLuint>& storage_blocks() const { return storage_blocks_; } ///< block name -> binding
+    const std::map<std::string, GLint>& uniforms() const { return uniforms_; }              ///< plain uniforms -> location
+    const std::map<std::string, GLint>& outputs() const { return outputs_; }                ///< fragment outputs -> location
+
+  private:
+    GLuint id_;
+    std::map<std::string, GLuint> samplers_, images_, uniform_blocks_, storage_blocks_;
+    std::map<std::string, GLint> uniforms_, outputs_;
+};
+
+/// Expands #include "path" (relative to the shader folder), each file at most once, keeping track of lines so that
+/// errors name the real file and line. Pure text; no GL. Throws Error for a missing file, an include that leaves the
+/// folder or nests deeper than 32.
+struct ShaderSource {
+    std::string text;                          ///< with #version, defines and #line directives
+    std::vector<std::filesystem::path> files;  ///< index = source string number in #line
+};
+ShaderSource load_shader_source(const std::filesystem::path& folder, const std::string& file,
+                                const std::vector<std::pair<std::string, std::string>>& defines);
+/// Rewrites driver messages like "2(14): error" or "2:14(3): error" to "passes/rsm.frag:14: error".
+std::string name_files_in_log(const std::string& log, const ShaderSource& source);
+
+/// Compiles programs from the shader folder, once per description, and again when a file changes.
+class ProgramCache {
+  public:
+    explicit ProgramCache(std::filesystem::path folder);
+
+    /// Throws Error with file:line when the first build fails.
+    const Program& get(const ProgramDesc& desc);
+    /// Rebuilds programs whose files changed on disk. A broken shader keeps the last good program. Returns true when
+    /// anything was rebuilt; errors() then tells what is broken now.
+    bool reload_changed();
+    const std::vector<std::string>& errors() const { return errors_; }
+    const std::filesystem::path& folder() const { return folder_; }
+
+  private:
+    struct Entry;
+    std::filesystem::path folder_;
+    std::map<ProgramDesc, std::shared_ptr<Entry>> entries_;
+    std::vector<std::string> errors_;
+};
+
+}  // namespace sl::gl

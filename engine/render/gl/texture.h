@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "engine/render/format.h"
+#include "engine/render/gl/gl.h"
+
+namespace sl::gl {
+
+/// How a format is spelled in GL.
+struct FormatNames {
+    GLenum internal;
+    GLenum layout;
+    GLenum type;
+};
+FormatNames format_names(Format format);
+
+/// Owns an immutable 2D texture or 2D array texture (desc.layers > 0). Nearest, clamped to edge by default.
+class Texture {
+  public:
+    Texture() = default;
+    explicit Texture(const TextureDesc& desc, const char* label = "");
+    ~Texture();
+    Texture(Texture&& other) noexcept { swap(other); }
+    Texture& operator=(Texture&& other) noexcept {
+        swap(other);
+        return *this;
+    }
+
+    GLuint id() const { return id_; }
+    const TextureDesc& desc() const { return desc_; }
+    explicit operator bool() const { return id_ != 0; }
+
+    /// Fills one mip of one layer; `bytes` holds width × height pixels of the format's own layout, bottom row first.
+    void upload(std::uint32_t mip, std::uint32_t layer, std::span<const std::byte> bytes);
+    /// Reads one layer of mip 0 as floats (channels as the format has them, depth as 1), bottom row first. Slow.
+    std::vector<float> read(std::uint32_t layer = 0) const;
+
+  private:
+    void swap(Texture& other) noexcept {
+        std::swap(id_, other.id_);
+        std::swap(desc_, other.desc_);
+    }
+    GLuint id_ = 0;
+    TextureDesc desc_;
+};
+
+/// Number of channels that Texture::read returns per pixel.
+std::uint32_t channel_count(Format format);
+
+/// Sampler objects shared by all passes.
+enum class Sampling { nearest, linear, shadow_compare, pixel_art };
+/// nearest/linear: clamped, no mips. shadow_compare: linear with GL_GEQUAL comparison (reversed depth), border 0 = lit.
+/// pixel_art: repeats, nearest when magnified, nearest within linear between mips when minified. Lives until the context ends.
+class Samplers {
+  public:
+    Samplers();
+    ~Samplers();
+    Samplers(const Samplers&) = delete;
+    Samplers& operator=(const Samplers&) = delete;
+    GLuint id(Sampling sampling) const { return ids_[static_cast<int>(sampling)]; }
+
+  private:
+    GLuint ids_[4] = {};
+};
+
+}  // namespace sl::gl
