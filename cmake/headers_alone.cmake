@@ -2,7 +2,7 @@
 # A header that needs another include before it is broken: compile one source per header, with nothing else.
 file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE ${CMAKE_SOURCE_DIR}
      ${CMAKE_SOURCE_DIR}/engine/*.h ${CMAKE_SOURCE_DIR}/game/*.h ${CMAKE_SOURCE_DIR}/editor/*.h
-     ${CMAKE_SOURCE_DIR}/app/*.h ${CMAKE_SOURCE_DIR}/shader/shared/*.h)
+     ${CMAKE_SOURCE_DIR}/shader/shared/*.h)
 set(alone)
 foreach(header ${headers})
     string(MAKE_C_IDENTIFIER ${header} stem)
@@ -11,5 +11,5 @@ foreach(header ${headers})
     list(APPEND alone ${source})
 endforeach()
 add_library(headers_alone OBJECT ${alone})
-target_link_libraries(headers_alone PRIVATE sl_options sl_app_all)
+target_link_libraries(headers_alone PRIVATE sl_options sl_commands)
 

@@ -2,8 +2,11 @@
 # One interface target that every target of ours links: language level, warnings, sanitizers.
 add_library(sl_options INTERFACE)
 target_compile_features(sl_options INTERFACE cxx_std_20)
-target_include_directories(sl_options INTERFACE ${CMAKE_SOURCE_DIR})
+# shader/ too: shader/shared/*.h are read by C++ and GLSL under one name.
+target_include_directories(sl_options INTERFACE ${CMAKE_SOURCE_DIR} ${CMAKE_SOURCE_DIR}/shader)
+# Designated initialisers leave the rest at its default on purpose: no warning for that.
 target_compile_options(sl_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
+                                            -Wno-missing-field-initializers
                                             $<$<BOOL:${SL_WERROR}>:-Werror>)
 # Fused multiply-add would make two compilers' pictures differ; the engine's figures must not depend on it.
 target_compile_options(sl_options INTERFACE -ffp-contract=off)

@@ -10,22 +10,13 @@
 #include <vector>
 
 #include "engine/render/gl/gl.h"
+#include "engine/render/program_desc.h"
 
 namespace sl::gl {
 
-/// Which files make a program; paths are relative to the shader folder. Either compute alone, or vertex and
-/// (optionally) fragment.
-struct ProgramDesc {
-    std::string vertex;
-    std::string fragment;
-    std::string compute;
-    std::vector<std::pair<std::string, std::string>> defines;  ///< two switches at most per shader
-
-    auto operator<=>(const ProgramDesc&) const = default;
-};
-
-/// A linked program and what the linker says it needs, by the shader's own names. Bindings are assigned at link, in
-/// name order, so no number is ever written by hand.
+/// A linked program and what the linker says it needs, by the shader's own names. Bindings are assigned at
+/// link, in name order, so no number is ever written by hand. Arrays go by their name without [0]; an array
+/// of samplers takes one unit per element, from the unit given here.
 class Program {
   public:
     explicit Program(GLuint id);
@@ -34,12 +25,17 @@ class Program {
     Program& operator=(const Program&) = delete;
 
     GLuint id() const { return id_; }
-    const std::map<std::string, GLuint>& samplers() const { return samplers_; }             ///< name -> texture unit
-    const std::map<std::string, GLuint>& images() const { return images_; }                 ///< name -> image unit
-    const std::map<std::string, GLuint>& uniform_blocks() const { return uniform_blocks_; } ///< block name -> binding
-    const std::map<std::string, GLuint>& storage_blocks() const { return storage_blocks_; } ///< block name -> binding
-    const std::map<std::string, GLint>& uniforms() const { return uniforms_; }              ///< plain uniforms -> location
-    const std::map<std::string, GLint>& outputs() const { return outputs_; }                ///< fragment outputs -> location
+    /// Name -> first texture unit.
+    const std::map<std::string, GLuint>& samplers() const { return samplers_; }
+    /// Name -> first image unit.
+    const std::map<std::string, GLuint>& images() const { return images_; }
+    /// The block's own name (not its instance's) -> binding.
+    const std::map<std::string, GLuint>& uniform_blocks() const { return uniform_blocks_; }
+    const std::map<std::string, GLuint>& storage_blocks() const { return storage_blocks_; }
+    /// Plain uniforms -> location.
+    const std::map<std::string, GLint>& uniforms() const { return uniforms_; }
+    /// Fragment outputs -> location.
+    const std::map<std::string, GLint>& outputs() const { return outputs_; }
 
   private:
     GLuint id_;
@@ -47,9 +43,10 @@ class Program {
     std::map<std::string, GLint> uniforms_, outputs_;
 };
 
-/// Expands #include "path" (relative to the shader folder), each file at most once, keeping track of lines so that
-/// errors name the real file and line. Pure text; no GL. Throws Error for a missing file, an include that leaves the
-/// folder or nests deeper than 32.
+/// Expands #include "path" (relative to the shader folder), each file at most once, keeping track of lines so
+/// that errors name the real file and line. What stands under #ifdef __cplusplus is not expanded; other
+/// conditions are not looked at. Pure text; no GL. Throws Error for a missing file, an include that leaves
+/// the folder or nests deeper than 32.
 struct ShaderSource {
     std::string text;                          ///< with #version, defines and #line directives
     std::vector<std::filesystem::path> files;  ///< index = source string number in #line
@@ -66,14 +63,17 @@ class ProgramCache {
 
     /// Throws Error with file:line when the first build fails.
     const Program& get(const ProgramDesc& desc);
-    /// Rebuilds programs whose files changed on disk. A broken shader keeps the last good program. Returns true when
-    /// anything was rebuilt; errors() then tells what is broken now.
+    /// Rebuilds programs whose files changed on disk. A broken shader keeps the last good program. Returns
+    /// true when a program was replaced or errors() changed; errors() tells what is broken now.
     bool reload_changed();
     const std::vector<std::string>& errors() const { return errors_; }
     const std::filesystem::path& folder() const { return folder_; }
 
   private:
     struct Entry;
+    using Times = std::map<std::filesystem::path, std::filesystem::file_time_type>;
+    bool reload(const ProgramDesc& desc, Entry& entry, Times& times) const;
+
     std::filesystem::path folder_;
     std::map<ProgramDesc, std::shared_ptr<Entry>> entries_;
     std::vector<std::string> errors_;

@@ -8,6 +8,7 @@
 
 #include "engine/render/format.h"
 #include "engine/render/gl/gl.h"
+#include "engine/render/program_desc.h"
 
 namespace sl::gl {
 
@@ -35,9 +36,11 @@ class Texture {
     const TextureDesc& desc() const { return desc_; }
     explicit operator bool() const { return id_ != 0; }
 
-    /// Fills one mip of one layer; `bytes` holds width × height pixels of the format's own layout, bottom row first.
+    /// Fills one mip of one layer; `bytes` holds width × height pixels of the format's own layout, bottom
+    /// row first.
     void upload(std::uint32_t mip, std::uint32_t layer, std::span<const std::byte> bytes);
-    /// Reads one layer of mip 0 as floats (channels as the format has them, depth as 1), bottom row first. Slow.
+    /// Reads one layer of mip 0 as floats (channels as the format has them, depth as 1), bottom row first.
+    /// sRGB colours come decoded, as a shader sees them. Slow.
     std::vector<float> read(std::uint32_t layer = 0) const;
 
   private:
@@ -52,10 +55,7 @@ class Texture {
 /// Number of channels that Texture::read returns per pixel.
 std::uint32_t channel_count(Format format);
 
-/// Sampler objects shared by all passes.
-enum class Sampling { nearest, linear, shadow_compare, pixel_art };
-/// nearest/linear: clamped, no mips. shadow_compare: linear with GL_GEQUAL comparison (reversed depth), border 0 = lit.
-/// pixel_art: repeats, nearest when magnified, nearest within linear between mips when minified. Lives until the context ends.
+/// Sampler objects shared by all passes, one per Sampling. Lives until the context ends.
 class Samplers {
   public:
     Samplers();

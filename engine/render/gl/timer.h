@@ -10,7 +10,9 @@
 
 namespace sl::gl {
 
-/// GPU time per named span, from timestamp queries, without stalling: results arrive some frames later.
+/// GPU time per named span, from timestamp queries, without stalling: results arrive some frames later. Spans
+/// of a frame follow each other, they do not nest. A software renderer is waited for at each end of a span.
+/// Must be destroyed while its context is current.
 class SpanTimers {
   public:
     SpanTimers() = default;
@@ -34,11 +36,14 @@ class SpanTimers {
         GLuint begin, end;
     };
     using Frame = std::vector<Span>;
-    GLuint take_query();
+    GLuint stamp();
     bool collect(Frame& frame, bool wait);
 
     std::deque<Frame> in_flight_;
     Frame current_;
+    bool software_ = false;  ///< the renderer is Mesa's, on the processor
+    bool in_frame_ = false;
+    bool in_span_ = false;
     std::vector<GLuint> free_queries_;
     std::vector<std::pair<std::string, double>> newest_;
 };

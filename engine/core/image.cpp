@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: MIT
+#include "engine/core/image.h"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/core/check.h"
+#include "engine/core/error.h"
+#include "engine/core/text_file.h"
+
+namespace sl {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int max_side = 1 << 16;
+constexpr std::uint64_t max_pixels = std::uint64_t{1} << 28;
+constexpr std::uint64_t max_compression = 100000;  // beyond what any picture reaches: the header lies
+constexpr const char* layer_order = "secondlight:layers";
+
+std::string first_line(const std::string& text) {
+    return text.substr(0, text.find('\n'));
+}
+
+/// Encodes in memory and then replaces the file: the library does not notice a disk that is full.
+void write_image(const fs::path& path, const char* format, const OIIO::ImageSpec& spec,
+                 const OIIO::TypeDesc& type, const void* pixels) {
+    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    std::error_code ignored;
+    if (!fs::is_directory(folder, ignored)) {
+        fail("{}: cannot be written: there is no folder {}", path.string(), folder.string());
+    }
+    OIIO::Filesystem::IOVecOutput memory;
+    const auto output = OIIO::ImageOutput::create(format);
+    if (!output || !output->set_ioproxy(&memory) || !output->open(path.filename().string(), spec) ||
+        !output->write_image(type, pixels) || !output->close()) {
+        fail("{}: cannot be written: {}", path.string(),
+             first_line(output ? output->geterror() : OIIO::geterror()));
+    }
+    const auto& bytes = memory.buffer();
+    write_text_file(path, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+}
+
+std::vector<std::string> channel_names(const ImageLayer& layer) {
+    const std::string prefix = layer.name.empty() ? "" : layer.name + ".";
+    if (layer.image.channels == 1) return {prefix + "Y"};
+    std::vector<std::string> names;
+    for (std::uint32_t c = 0; c < layer.image.channels; ++c) names.push_back(prefix + "RGBA"[c]);
+    return names;
+}
+
+std::unique_ptr<OIIO::ImageInput> open_image(const fs::path& path) {
+    std::error_code ignored;
+    if (!fs::is_regular_file(path, ignored)) fail("{}: cannot be read: there is no such file", path.string());
+    OIIO::ImageSpec config;
+    config["oiio:UnassociatedAlpha"] = 1;  // colours as stored, not multiplied by alpha
+    auto input = OIIO::ImageInput::open(path.string(), &config);
+    if (!input) fail("{}: cannot be read: {}", path.string(), first_line(OIIO::geterror()));
+    return input;
+}
+
+void check_size(const fs::path& path, const OIIO::ImageSpec& spec) {
+    if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.deep || spec.nchannels < 1) {
+        fail("{}: it is not a flat two-dimensional image", path.string());
+    }
+    const auto width = static_cast<std::uint64_t>(spec.width),
+               height = static_cast<std::uint64_t>(spec.height);
+    const std::uint64_t values = width * height * static_cast<std::uint64_t>(spec.nchannels);
+    if (std::max(spec.width, spec.height) > max_side || width * height > max_pixels ||
+        values > 4 * max_pixels || values * sizeof(float) > fs::file_size(path) * max_compression) {
+        fail("{}: {} x {} pixels of {} channels are too many, or the file is damaged", path.string(),
+             spec.width, spec.height, spec.nchannels);
+    }
+}
+
+/// All channels of one part, as floats, interleaved.
+std::vector<float> read_part(const fs::path& path, OIIO::ImageInput& input, int part) {
+    const OIIO::ImageSpec& spec = input.spec();
+    check_size(path, spec);
+    try {
+        std::vector<float> pixels(static_cast<std::size_t>(spec.image_pixels()) *
+                                  static_cast<std::size_t>(spec.nchannels));
+        if (!input.read_image(part, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, pixels.data())) {
+            fail("{}: cannot be read: {}", path.string(), first_line(input.geterror()));
+        }
+        return pixels;
+    } catch (const std::bad_alloc&) {
+        fail("{}: cannot be read: not enough memory for {} x {} pixels", path.string(), spec.width,
+             spec.height);
+    }
+}
+
+/// Splits the channels of one part into layers by the name before the last dot.
+void split_layers(const OIIO::ImageSpec& spec, const std::vector<float>& pixels,
+                  std::vector<ImageLayer>& layers) {
+    struct Source {
+        std::string name;
+        std::vector<std::pair<int, int>> channels;  // place in R, G, B, A; index in the file
+    };
+    std::vector<Source> sources;
+    for (int c = 0; c < spec.nchannels; ++c) {
+        const std::string& full = spec.channelnames[static_cast<std::size_t>(c)];
+        const auto dot = full.rfind('.');
+        const std::string name = dot == std::string::npos ? "" : full.substr(0, dot);
+        const auto rank =
+            std::string_view("RGBA").find(dot == std::string::npos ? full : full.substr(dot + 1));
+        auto found =
+            std::find_if(sources.begin(), sources.end(), [&](const Source& s) { return s.name == name; });
+        if (found == sources.end()) found = sources.insert(sources.end(), {name, {}});
+        found->channels.emplace_back(rank == std::string_view::npos ? 4 + c : static_cast<int>(rank), c);
+    }
+    // OpenEXR keeps channels sorted by name; our own files say how their layers were ordered.
+    const std::string order = fmt::format("\n{}\n", std::string(spec.get_string_attribute(layer_order)));
+    std::stable_sort(sources.begin(), sources.end(), [&](const Source& a, const Source& b) {
+        return order.find("\n" + a.name + "\n") < order.find("\n" + b.name + "\n");
+    });
+    for (Source& source : sources) {
+        std::sort(source.channels.begin(), source.channels.end());
+        Image image(static_cast<std::uint32_t>(spec.width), static_cast<std::uint32_t>(spec.height),
+                    static_cast<std::uint32_t>(source.channels.size()));
+        auto out = image.data.begin();
+        for (std::size_t base = 0; base < pixels.size(); base += static_cast<std::size_t>(spec.nchannels)) {
+            for (const auto& channel : source.channels)
+                *out++ = pixels[base + static_cast<std::size_t>(channel.second)];
+        }
+        layers.push_back({source.name, std::move(image)});
+    }
+}
+
+}  // namespace
+
+void write_exr(const fs::path& path, const std::vector<ImageLayer>& layers) {
+    CHECK(!layers.empty(), "an EXR without layers");
+    const Image& first = layers.front().image;
+    OIIO::ImageSpec spec(static_cast<int>(first.width), static_cast<int>(first.height), 0,
+                         OIIO::TypeDesc::FLOAT);
+    std::string order;
+    for (const ImageLayer& layer : layers) {
+        const Image& image = layer.image;
+        CHECK(
+            image.width == first.width && image.height == first.height && image.width > 0 && image.height > 0,
+            "layer \"{}\" is {} x {}", layer.name, image.width, image.height);
+        CHECK(image.channels >= 1 && image.channels <= 4, "layer \"{}\" has {} channels", layer.name,
+              image.channels);
+        for (std::string& name : channel_names(layer)) spec.channelnames.push_back(std::move(name));
+        order += (&layer == &layers.front() ? "" : "\n") + layer.name;
+    }
+    spec.nchannels = static_cast<int>(spec.channelnames.size());
+    spec.attribute("compression", "zip");
+    spec.attribute("DateTime",
+                   "1970:01:01 00:00:00");  // else the library writes now: equal pictures, unequal files
+    spec.attribute(layer_order, order);
+
+    std::vector<float> pixels;
+    pixels.reserve(std::size_t{first.width} * first.height * spec.channelnames.size());
+    for (std::size_t p = 0; p < std::size_t{first.width} * first.height; ++p) {
+        for (const ImageLayer& layer : layers) {
+            const auto begin =
+                layer.image.data.begin() + static_cast<std::ptrdiff_t>(p * layer.image.channels);
+            pixels.insert(pixels.end(), begin, begin + layer.image.channels);
+        }
+    }
+    write_image(path, "exr", spec, OIIO::TypeDesc::FLOAT, pixels.data());
+}
+
+std::vector<ImageLayer> read_exr(const fs::path& path) {
+    const auto input = open_image(path);
+    if (std::string_view(input->format_name()) != "openexr") fail("{}: it is not an EXR", path.string());
+    std::vector<ImageLayer> layers;
+    for (int part = 0; input->seek_subimage(part, 0); ++part) {
+        split_layers(input->spec(), read_part(path, *input, part), layers);
+    }
+    return layers;
+}
+
+void write_png(const fs::path& path, const Image& image) {
+    CHECK(image.width > 0 && image.height > 0 && image.channels >= 1 && image.channels <= 4,
+          "a PNG of {} x {} x {}", image.width, image.height, image.channels);
+    OIIO::ImageSpec spec(static_cast<int>(image.width), static_cast<int>(image.height),
+                         static_cast<int>(image.channels), OIIO::TypeDesc::UINT8);
+    spec.attribute("oiio:ColorSpace", "sRGB");
+    spec.attribute("oiio:UnassociatedAlpha", 1);
+    std::vector<std::uint8_t> bytes(image.data.size());
+    std::transform(image.data.begin(), image.data.end(), bytes.begin(), [](float value) {
+        const float inside = value > 0.0f ? std::min(value, 1.0f) : 0.0f;  // not a number becomes 0
+        return static_cast<std::uint8_t>(std::lround(inside * 255.0f));
+    });
+    write_image(path, "png", spec, OIIO::TypeDesc::UINT8, bytes.data());
+}
+
+Image read_png(const fs::path& path) {
+    const auto input = open_image(path);
+    const OIIO::ImageSpec& spec = input->spec();
+    if (spec.format != OIIO::TypeDesc::UINT8 && spec.format != OIIO::TypeDesc::UINT16) {
+        fail("{}: it is not an 8-bit picture", path.string());
+    }
+    std::vector<float> pixels = read_part(path, *input, 0);
+    Image image;
+    image.width = static_cast<std::uint32_t>(spec.width);
+    image.height = static_cast<std::uint32_t>(spec.height);
+    image.channels = static_cast<std::uint32_t>(spec.nchannels);
+    image.data = std::move(pixels);
+    return image;
+}
+
+Image side_by_side(const std::vector<Image>& images, std::uint32_t gap) {
+    CHECK(!images.empty(), "no pictures to place");
+    const Image& first = images.front();
+    std::uint32_t width = gap * static_cast<std::uint32_t>(images.size() - 1);
+    for (const Image& image : images) {
+        CHECK(image.height == first.height && image.channels == first.channels,
+              "pictures side by side differ in height or channels: {} x {} and {} x {}", first.height,
+              first.channels, image.height, image.channels);
+        width += image.width;
+    }
+    Image result(width, first.height, first.channels);
+    std::fill(result.data.begin(), result.data.end(), 1.0f);
+    std::uint32_t left = 0;
+    for (const Image& image : images) {
+        for (std::uint32_t y = 0; y < image.height; ++y) {
+            std::copy_n(image.pixel(0, y), std::size_t{image.width} * image.channels, result.pixel(left, y));
+        }
+        left += image.width + gap;
+    }
+    return result;
+}
+
+}  // namespace sl

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#include "engine/core/json_text.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "engine/core/closest_name.h"
+#include "engine/core/error.h"
+
+namespace sl {
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+namespace {
+
+/// "file:line:column" of a byte.
+std::string position(std::string_view text, std::size_t byte, std::string_view file) {
+    const std::string_view before = text.substr(0, std::min(byte, text.size()));
+    const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+    const std::size_t line_start = before.rfind('\n') == std::string_view::npos ? 0 : before.rfind('\n') + 1;
+    return fmt::format("{}:{}:{}", file, line, before.size() - line_start + 1);
+}
+
+void check_depth(std::string_view text, std::string_view file) {
+    int depth = 0;
+    bool in_string = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (c == '\\' && in_string) {
+            ++i;
+        } else if (c == '"') {
+            in_string = !in_string;
+        } else if (!in_string && (c == '{' || c == '[')) {
+            if (++depth > deepest_json) {
+                fail("{}: nested deeper than {} levels", position(text, i, file), deepest_json);
+            }
+        } else if (!in_string && (c == '}' || c == ']')) {
+            --depth;
+        }
+    }
+}
+
+/// The part of a message of the JSON library that is for people: "[json.exception…] parse error at …: THIS".
+std::string_view reason(std::string_view message) {
+    const std::size_t tag = message.find("] ");
+    if (tag != std::string_view::npos) message.remove_prefix(tag + 2);
+    const std::size_t place = message.find(": ");
+    if (message.starts_with("parse error") && place != std::string_view::npos)
+        message.remove_prefix(place + 2);
+    return message;
+}
+
+/// Refuses an object that names a key twice: one of the two values would be lost without a word.
+class RepeatedKeys {
+  public:
+    explicit RepeatedKeys(std::string_view file) : file_(file) {}
+    bool operator()(int, json::parse_event_t event, const json& value) {
+        if (event == json::parse_event_t::object_start) keys_.emplace_back();
+        if (event == json::parse_event_t::object_end) keys_.pop_back();
+        if (event == json::parse_event_t::key && !keys_.back().insert(value.get<std::string>()).second) {
+            fail("{}: an object has the key '{}' twice", file_, for_message(value.get<std::string>()));
+        }
+        return true;
+    }
+
+  private:
+    std::string file_;
+    std::vector<std::set<std::string>> keys_;
+};
+
+constexpr std::size_t longest_reason = 240;
+constexpr std::size_t widest_line = 110;
+constexpr std::size_t indent_step = 2;
+
+std::string scalar(const ordered_json& value) {
+    return value.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+}
+
+std::string on_one_line(const ordered_json& value) {
+    if (!value.is_structured()) return scalar(value);
+    std::string text;
+    for (const auto& [key, item] : value.items()) {
+        if (!text.empty()) text += ", ";
+        if (value.is_object()) text += scalar(key) + ": ";
+        text += on_one_line(item);
+    }
+    return value.is_object() ? fmt::format("{{{}}}", text) : fmt::format("[{}]", text);
+}
+
+bool holds_object(const ordered_json& value) {
+    return std::any_of(value.begin(), value.end(), [](const auto& item) {
+        return item.is_object() || (item.is_array() && holds_object(item));
+    });
+}
+
+void append(std::string& text, const ordered_json& value, std::size_t indent, std::size_t column) {
+    if (!value.is_structured() || !holds_object(value)) {
+        const std::string flat = on_one_line(value);
+        if (!value.is_structured() || value.empty() || column + flat.size() <= widest_line) {
+            text += flat;
+            return;
+        }
+    }
+    const std::string margin(indent + indent_step, ' ');
+    text += value.is_object() ? "{" : "[";
+    const char* separator = "\n";
+    for (const auto& [key, item] : value.items()) {
+        const std::string head = value.is_object() ? scalar(key) + ": " : "";
+        text += fmt::format("{}{}{}", separator, margin, head);
+        append(text, item, indent + indent_step, margin.size() + head.size() + 1);
+        separator = ",\n";
+    }
+    text += fmt::format("\n{}{}", std::string(indent, ' '), value.is_object() ? '}' : ']');
+}
+
+}  // namespace
+
+json parse_json(std::string_view text, std::string_view file) {
+    check_depth(text, file);
+    try {
+        return json::parse(text, RepeatedKeys(file));
+    } catch (const json::parse_error& error) {
+        fail("{}: {}", position(text, error.byte == 0 ? 0 : error.byte - 1, file),
+             for_message(reason(error.what()), longest_reason));
+    } catch (const json::out_of_range& error) {
+        // This one does not tell where, but it quotes the number.
+        const std::string_view message = error.what();
+        const std::size_t open = message.find('\''), close = message.rfind('\'');
+        const bool quoted = open != std::string_view::npos && close > open;
+        const std::size_t at = quoted ? text.find(message.substr(open + 1, close - open - 1)) : 0;
+        fail("{}: {}", position(text, at, file), for_message(reason(message), longest_reason));
+    }
+}
+
+std::string json_text(const ordered_json& value) {
+    std::string text;
+    append(text, value, 0, 0);
+    return text + "\n";
+}
+
+}  // namespace sl

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: MIT
+#include "engine/core/window.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "engine/core/error.h"
+#include "engine/core/log.h"
+
+namespace sl {
+
+namespace {
+
+constexpr double wait_while_unseen = 0.25;  // s
+
+std::string last_glfw_error() {
+    const char* text = nullptr;
+    glfwGetError(&text);
+    return text != nullptr ? text : "no reason given";
+}
+
+Key after(Key first, int steps) {
+    return static_cast<Key>(static_cast<std::size_t>(first) + static_cast<std::size_t>(steps));
+}
+
+std::optional<Key> key_of(int glfw_key) {
+    if (glfw_key >= GLFW_KEY_A && glfw_key <= GLFW_KEY_Z) return after(Key::a, glfw_key - GLFW_KEY_A);
+    if (glfw_key >= GLFW_KEY_0 && glfw_key <= GLFW_KEY_9) return after(Key::digit_0, glfw_key - GLFW_KEY_0);
+    if (glfw_key >= GLFW_KEY_F1 && glfw_key <= GLFW_KEY_F12) return after(Key::f1, glfw_key - GLFW_KEY_F1);
+    switch (glfw_key) {
+        case GLFW_KEY_SPACE: return Key::space;
+        case GLFW_KEY_ENTER: return Key::enter;
+        case GLFW_KEY_ESCAPE: return Key::escape;
+        case GLFW_KEY_TAB: return Key::tab;
+        case GLFW_KEY_LEFT: return Key::left;
+        case GLFW_KEY_RIGHT: return Key::right;
+        case GLFW_KEY_UP: return Key::up;
+        case GLFW_KEY_DOWN: return Key::down;
+        case GLFW_KEY_EQUAL:
+        case GLFW_KEY_KP_ADD: return Key::plus;
+        case GLFW_KEY_MINUS:
+        case GLFW_KEY_KP_SUBTRACT: return Key::minus;
+        case GLFW_KEY_LEFT_BRACKET: return Key::left_bracket;
+        case GLFW_KEY_RIGHT_BRACKET: return Key::right_bracket;
+        case GLFW_KEY_LEFT_SHIFT:
+        case GLFW_KEY_RIGHT_SHIFT: return Key::shift;
+        case GLFW_KEY_LEFT_CONTROL:
+        case GLFW_KEY_RIGHT_CONTROL: return Key::control;
+        default: return std::nullopt;
+    }
+}
+
+void hint_context(int major, int minor) {
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, major);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, minor);
+    const bool core = major * 10 + minor >= 32;
+    glfwWindowHint(GLFW_OPENGL_PROFILE, core ? GLFW_OPENGL_CORE_PROFILE : GLFW_OPENGL_ANY_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, core ? GLFW_TRUE : GLFW_FALSE);
+}
+
+/// What the display gives when 4.5 is refused; only for the message.
+std::string version_found() {
+    hint_context(1, 0);
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+    GLFWwindow* probe = glfwCreateWindow(16, 16, "", nullptr, nullptr);
+    if (probe == nullptr) return "no OpenGL at all";
+    const std::string version = fmt::format("OpenGL {}.{}", glfwGetWindowAttrib(probe, GLFW_CONTEXT_VERSION_MAJOR),
+                                            glfwGetWindowAttrib(probe, GLFW_CONTEXT_VERSION_MINOR));
+    glfwDestroyWindow(probe);
+    return version;
+}
+
+GLFWmonitor* monitor_of(GLFWwindow* window) {
+    ivec2 place(0), size(0);
+    glfwGetWindowPos(window, &place.x, &place.y);
+    glfwGetWindowSize(window, &size.x, &size.y);
+    int count = 0;
+    GLFWmonitor** monitors = glfwGetMonitors(&count);
+    GLFWmonitor* best = glfwGetPrimaryMonitor();
+    std::int64_t best_area = 0;
+    for (int i = 0; i < count; ++i) {
+        ivec2 corner(0);
+        glfwGetMonitorPos(monitors[i], &corner.x, &corner.y);
+        const GLFWvidmode* mode = glfwGetVideoMode(monitors[i]);
+        if (mode == nullptr) continue;
+        const ivec2 shared = glm::min(place + size, corner + ivec2(mode->width, mode->height)) - glm::max(place, corner);
+        const std::int64_t area = std::int64_t{std::max(shared.x, 0)} * std::max(shared.y, 0);
+        if (area > best_area) {
+            best_area = area;
+            best = monitors[i];
+        }
+    }
+    return best;
+}
+
+}  // namespace
+
+struct Window::Callbacks {
+    static Window& of(GLFWwindow* window) { return *static_cast<Window*>(glfwGetWindowUserPointer(window)); }
+
+    static void key(GLFWwindow* window, int glfw_key, int, int action, int) {
+        const std::optional<Key> key = key_of(glfw_key);
+        if (!key || action == GLFW_REPEAT) return;
+        Input& events = of(window).events_;
+        events.keys_down.set(static_cast<std::size_t>(*key), action == GLFW_PRESS);
+        if (action == GLFW_PRESS) events.keys_pressed.set(static_cast<std::size_t>(*key));
+    }
+    static void button(GLFWwindow* window, int glfw_button, int action, int) {
+        if (glfw_button < 0 || glfw_button >= static_cast<int>(mouse_button_count)) return;
+        const auto index = static_cast<std::size_t>(glfw_button);  // left, right, middle in GLFW too
+        Input& events = of(window).events_;
+        events.buttons_down.set(index, action == GLFW_PRESS);
+        if (action == GLFW_PRESS) events.buttons_pressed.set(index);
+    }
+    static void pointer(GLFWwindow* window, double x, double y) {
+        Window& self = of(window);
+        if (self.pointer_known_ && self.events_.mouse_captured) {
+            self.events_.mouse_delta += vec2(x - self.pointer_[0], y - self.pointer_[1]);
+        }
+        self.pointer_ = {x, y};
+        self.pointer_known_ = true;
+    }
+    static void scroll(GLFWwindow* window, double, double y) { of(window).events_.scroll += static_cast<float>(y); }
+    static void focus(GLFWwindow* window, int focused) {
+        if (focused == GLFW_FALSE) of(window).release_all();
+    }
+};
+
+Window::Window(const WindowSettings& settings) : vsync_(settings.vsync) {
+    if (glfwInit() == GLFW_FALSE) {
+        fail("there is no display for a window ({}): render without one with `./play tour`, or log in to a desktop",
+             last_glfw_error());
+    }
+    glfwDefaultWindowHints();
+    hint_context(4, 5);
+    glfwWindowHint(GLFW_DEPTH_BITS, 0);  // the frame is drawn elsewhere and copied here
+    glfwWindowHint(GLFW_STENCIL_BITS, 0);
+    window_ = glfwCreateWindow(static_cast<int>(settings.size.x), static_cast<int>(settings.size.y),
+                               settings.title.c_str(), nullptr, nullptr);
+    if (window_ == nullptr) {
+        const std::string reason = last_glfw_error();
+        const std::string found = version_found();
+        glfwTerminate();
+        fail("OpenGL 4.5 core is needed, but this display gives {} ({}): update the graphics driver, or render without a "
+             "window: `./play tour --context egl`, or --context osmesa for software",
+             found, reason);
+    }
+    glfwSetWindowUserPointer(window_, this);
+    glfwSetKeyCallback(window_, &Callbacks::key);
+    glfwSetMouseButtonCallback(window_, &Callbacks::button);
+    glfwSetCursorPosCallback(window_, &Callbacks::pointer);
+    glfwSetScrollCallback(window_, &Callbacks::scroll);
+    glfwSetWindowFocusCallback(window_, &Callbacks::focus);
+    glfwMakeContextCurrent(window_);
+    set_vsync(vsync_);
+    if (settings.fullscreen) toggle_fullscreen();
+}
+
+Window::~Window() {
+    glfwDestroyWindow(window_);
+    glfwTerminate();
+}
+
+Input Window::poll() {
+    if (drawable()) {
+        glfwPollEvents();
+    } else {
+        glfwWaitEventsTimeout(wait_while_unseen);
+    }
+    const Input frame = events_;
+    events_.next_frame();
+    return frame;
+}
+
+void Window::swap() { glfwSwapBuffers(window_); }
+
+void Window::set_vsync(bool on) {
+    vsync_ = on;
+    glfwSwapInterval(on ? 1 : 0);
+}
+
+bool Window::close_requested() const { return glfwWindowShouldClose(window_) != GLFW_FALSE; }
+void Window::request_close() { glfwSetWindowShouldClose(window_, GLFW_TRUE); }
+
+uvec2 Window::framebuffer_size() const {
+    ivec2 size(0);
+    glfwGetFramebufferSize(window_, &size.x, &size.y);
+    return uvec2(glm::max(size, ivec2(0)));
+}
+
+bool Window::drawable() const {
+    const uvec2 size = framebuffer_size();
+    return size.x > 0 && size.y > 0 && glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_FALSE &&
+           glfwGetWindowAttrib(window_, GLFW_VISIBLE) != GLFW_FALSE;
+}
+
+float Window::content_scale() const {
+    vec2 scale(1.0f);
+    glfwGetWindowContentScale(window_, &scale.x, &scale.y);
+    return std::clamp(std::max(scale.x, scale.y), 0.5f, 8.0f);
+}
+
+void Window::capture_mouse(bool captured) {
+    if (captured == events_.mouse_captured) return;
+    events_.mouse_captured = captured;
+    pointer_known_ = false;
+    glfwSetInputMode(window_, GLFW_CURSOR, captured ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
+}
+
+void Window::toggle_fullscreen() {
+    if (glfwGetWindowMonitor(window_) != nullptr) {
+        glfwSetWindowMonitor(window_, nullptr, windowed_place_.x, windowed_place_.y, windowed_size_.x, windowed_size_.y,
+                             GLFW_DONT_CARE);
+    } else {
+        GLFWmonitor* monitor = monitor_of(window_);
+        const GLFWvidmode* mode = monitor != nullptr ? glfwGetVideoMode(monitor) : nullptr;
+        if (mode == nullptr) {
+            log::warn("no monitor to fill: the window stays as it is");
+            return;
+        }
+        glfwGetWindowPos(window_, &windowed_place_.x, &windowed_place_.y);
+        glfwGetWindowSize(window_, &windowed_size_.x, &windowed_size_.y);
+        glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+    }
+    pointer_known_ = false;
+    set_vsync(vsync_);  // some systems forget it
+}
+
+void Window::set_title(const std::string& title) { glfwSetWindowTitle(window_, title.c_str()); }
+
+void Window::release_all() {
+    capture_mouse(false);
+    events_.ignore_keys();
+    events_.ignore_mouse();
+}
+
+}  // namespace sl

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "engine/core/input.h"
+
+struct GLFWwindow;
+
+namespace sl {
+
+struct WindowSettings {
+    std::string title = "Secondlight";
+    uvec2 size{1280, 720};  ///< screen units
+    bool fullscreen = false;
+    bool vsync = true;
+};
+
+/// A window for an OpenGL 4.5 core context; gl::create_context makes that current and loads it. One at a time.
+class Window {
+  public:
+    /// Throws Error naming what was found where there is no display or no OpenGL 4.5.
+    explicit Window(const WindowSettings& settings);
+    ~Window();
+    Window(const Window&) = delete;
+    Window& operator=(const Window&) = delete;
+
+    GLFWwindow* native() const { return window_; }
+
+    /// Handles what has happened and tells it as input. While there is nothing to draw to it waits for the next event, a
+    /// quarter of a second at most. Without focus no key is held and the mouse is free.
+    Input poll();
+    /// Needs a current context.
+    void swap();
+    void set_vsync(bool on);
+
+    bool close_requested() const;
+    void request_close();
+    /// Pixels; 0 x 0 while minimised on some systems.
+    uvec2 framebuffer_size() const;
+    /// Whether a frame would be seen: not minimised, not hidden, not empty.
+    bool drawable() const;
+    /// Pixels per unit in which people want texts and widgets drawn.
+    float content_scale() const;
+
+    bool mouse_captured() const { return events_.mouse_captured; }
+    /// Captured: hidden, bound to the window, and moving without end.
+    void capture_mouse(bool captured);
+    /// Fullscreen on the monitor that shows most of the window, and back to where it was.
+    void toggle_fullscreen();
+    void set_title(const std::string& title);
+
+  private:
+    struct Callbacks;
+    void release_all();
+
+    GLFWwindow* window_ = nullptr;
+    Input events_;  ///< gathered by callbacks until the next poll
+    std::array<double, 2> pointer_{};
+    bool pointer_known_ = false;  ///< a jump of the pointer, as at capture, is no movement
+    bool vsync_ = true;
+    ivec2 windowed_place_{0}, windowed_size_{0};
+};
+
+}  // namespace sl

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/core/fields.h"
+
+namespace sl {
+
+/// A view along -z of its entity. The first camera in the world that is active is the one rendered.
+struct Camera {
+    float fov_y = 1.0472f;
+    float near = 0.02f;
+    float ev100 = 12.0f;
+    bool antialias = true;
+    bool active = true;
+};
+
+inline void visit_fields(FieldVisitor& visit, Camera& camera) {
+    visit.field("fov_y", camera.fov_y,
+                {.min = 0.01, .max = 2.9, .unit = "rad", .help = "Vertical angle of view; more shows more and makes things smaller.",
+                 .look = FieldLook::angle});
+    visit.field("near", camera.near,
+                {.min = 1e-6, .max = 1e3, .unit = "m",
+                 .help = "Nothing nearer is drawn; less costs no precision, because depth is reversed.",
+                 .look = FieldLook::logarithmic});
+    visit.field("ev100", camera.ev100,
+                {.min = -10, .max = 24, .unit = "EV",
+                 .help = "Exposure value at ISO 100; one more halves the brightness. Sunny day 15, lit room 7."});
+    visit.field("antialias", camera.antialias, {.help = "Smooths edges of the tonemapped picture; costs one full-screen pass."});
+    visit.field("active", camera.active, {.help = "The first active camera is the one rendered."});
+}
+
+}  // namespace sl

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "engine/ecs/components/gi_settings.h"
+
+#include <fmt/ranges.h>
+
+#include <optional>
+#include <utility>
+
+#include "engine/core/error.h"
+
+namespace sl {
+
+namespace {
+
+template <std::size_t... I>
+constexpr auto names_of(std::index_sequence<I...>) {
+    return std::array{std::variant_alternative_t<I, GiMethod>::name...};
+}
+constexpr auto method_names = names_of(std::make_index_sequence<std::variant_size_v<GiMethod>>());
+
+template <std::size_t... I>
+GiMethod default_method(std::size_t index, std::index_sequence<I...>) {
+    GiMethod method;
+    ((index == I ? void(method.emplace<I>()) : void()), ...);
+    return method;
+}
+GiMethod default_method(std::size_t index) {
+    return default_method(index, std::make_index_sequence<std::variant_size_v<GiMethod>>());
+}
+
+constexpr FieldInfo rsm_size_info{.min = 4, .max = 1024, .unit = "texels",
+                                  .help = "Side of each light's reflective shadow map; more texels resolve smaller lit patches and "
+                                          "cost in proportion to their number."};
+constexpr FieldInfo strength_info{.min = 0, .max = 10, .help = "Factor on indirect light; 1 is physical."};
+
+void visit_fields(FieldVisitor&, GiOff&) {}
+
+void visit_fields(FieldVisitor& visit, RsmExact& exact) {
+    visit.field("rsm_size", exact.rsm_size, rsm_size_info);
+    visit.field("strength", exact.strength, strength_info);
+}
+
+struct GridPreset {
+    std::string_view name;
+    float strength, angle_threshold;
+};
+// The paper's two parameter sets: its pictures, and its figure 3-3 that shows the dividing lines.
+constexpr std::array<GridPreset, 2> grid_presets{{{"paper", 0.3f, 0.01f}, {"paper-artefact", 0.6f, 0.05f}}};
+constexpr std::array<std::string_view, 3> grid_preset_names{"custom", grid_presets[0].name, grid_presets[1].name};
+
+std::size_t preset_of(const RsmGrid& grid) {
+    for (std::size_t i = 0; i < grid_presets.size(); ++i) {
+        const RsmGrid preset{.strength = grid_presets[i].strength, .angle_threshold = grid_presets[i].angle_threshold};
+        if (grid.strength == preset.strength && grid.angle_threshold == preset.angle_threshold &&
+            grid.distance_attenuation == preset.distance_attenuation && grid.cutoff == preset.cutoff) {
+            return i + 1;
+        }
+    }
+    return 0;
+}
+
+void visit_fields(FieldVisitor& visit, RsmGrid& grid) {
+    // A preset is no state of its own: it is read off the values, and choosing one sets them.
+    const std::size_t before = preset_of(grid);
+    std::size_t chosen = before;
+    visit.choice("preset", chosen, grid_preset_names,
+                 {.help = "The paper's parameters, or those with which its figure 3-3 shows dividing lines."});
+    if (chosen != before && chosen > 0) {
+        grid = {.rsm_size = grid.rsm_size, .step = grid.step, .strength = grid_presets[chosen - 1].strength,
+                .angle_threshold = grid_presets[chosen - 1].angle_threshold};
+    }
+    visit.field("rsm_size", grid.rsm_size, rsm_size_info);
+    visit.field("step", grid.step,
+                {.min = 1, .max = 64, .unit = "texels", .help = "Distance between texels that are read; more is cheaper and blotchier."});
+    visit.field("strength", grid.strength, {.min = 0, .max = 10, .help = "The paper's RSM_STRENGTH: factor on the sum."});
+    visit.field("angle_threshold", grid.angle_threshold,
+                {.min = 0, .max = 1, .help = "Texels under this cosine are dropped at once; more makes hard lines at wall feet."});
+    visit.field("distance_attenuation", grid.distance_attenuation,
+                {.min = 0, .max = 1000, .unit = "1/m²", .help = "k in 1 / (1 + k distance²); more keeps bounced light nearer to its source."});
+    visit.field("cutoff", grid.cutoff,
+                {.min = 0, .max = 1, .help = "Texels attenuated below this are dropped at once; more is cheaper and shows arcs."});
+}
+
+void visit_fields(FieldVisitor& visit, RsmDisc& disc) {
+    visit.field("rsm_size", disc.rsm_size, rsm_size_info);
+    visit.field("samples", disc.samples,
+                {.min = 0, .max = 4096, .help = "Texels read per gathering pixel and light; more lowers noise and costs in proportion."});
+    visit.field("radius", disc.radius,
+                {.min = 0, .max = 1.5, .unit = "map side",
+                 .help = "Radius of the sampled disc round the receiver's projection; less is sharper nearby and misses far light."});
+    visit.field("rotate", disc.rotate, {.help = "Turns the pattern per pixel: banding becomes noise."});
+    visit.field("interpolate", disc.interpolate, {.help = "Gathers at low resolution and fills in where neighbours agree; off gathers everywhere."});
+    visit.field("low_resolution", disc.low_resolution,
+                {.min = 2, .max = 32, .unit = "pixels", .help = "Spacing of the low-resolution gather; more is cheaper and coarser."});
+    visit.field("position_tolerance", disc.position_tolerance,
+                {.min = 0, .max = 1, .help = "How far off a pixel's plane a neighbour may lie, as a share of its distance to the camera."});
+    visit.field("normal_tolerance", disc.normal_tolerance,
+                {.min = -1, .max = 1, .help = "Least cosine between a pixel's normal and a neighbour's that may stand in for it."});
+    visit.field("strength", disc.strength, strength_info);
+}
+
+}  // namespace
+
+std::span<const std::string_view> gi_method_names() { return method_names; }
+
+GiMethod make_gi_method(std::string_view name) {
+    for (std::size_t i = 0; i < method_names.size(); ++i) {
+        if (method_names[i] == name) return default_method(i);
+    }
+    fail("there is no GI method '{}'; choose one of {}", name, fmt::join(method_names, ", "));
+}
+
+std::string_view gi_method_name(const GiMethod& method) { return method_names[method.index()]; }
+
+std::string_view gi_method_claims(const GiMethod& method) {
+    return std::visit([](const auto& settings) { return settings.claims; }, method);
+}
+
+void visit_fields(FieldVisitor& visit, GiSettings& settings) {
+    std::size_t index = settings.method.index();
+    visit.choice("method", index, method_names, {.help = "How indirect light is computed; see `secondlight list methods`."});
+    if (index != settings.method.index()) settings.method = default_method(index);
+    std::visit([&](auto& method) { visit_fields(visit, method); }, settings.method);
+}
+
+}  // namespace sl

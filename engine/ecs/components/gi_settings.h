@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <variant>
+
+#include "engine/core/fields.h"
+
+namespace sl {
+
+/// No indirect light: no RSM and no gather pass is scheduled.
+struct GiOff {
+    static constexpr std::string_view name = "off";
+    static constexpr std::string_view claims = "direct light only";
+};
+
+/// Every texel of every RSM, without occlusion, in physical units: the yardstick for sampling error.
+struct RsmExact {
+    static constexpr std::string_view name = "rsm_exact";
+    static constexpr std::string_view claims = "one diffuse bounce without occlusion, no sampling error";
+    std::uint32_t rsm_size = 256;
+    float strength = 1.0f;
+};
+
+/// The regular grid of "Global illumination based on RSM" (2024), Algorithm 1, kept with its artefacts.
+struct RsmGrid {
+    static constexpr std::string_view name = "rsm_grid";
+    static constexpr std::string_view claims = "one bounce without occlusion, not in physical units";
+    std::uint32_t rsm_size = 64;
+    std::uint32_t step = 1;
+    float strength = 0.3f;
+    float angle_threshold = 0.01f;
+    float distance_attenuation = 1.25f;
+    float cutoff = 0.01f;
+};
+
+/// The importance-sampled disc of Dachsbacher & Stamminger, "Reflective Shadow Maps" (I3D 2005), in physical units,
+/// with its screen-space interpolation.
+struct RsmDisc {
+    static constexpr std::string_view name = "rsm_disc";
+    static constexpr std::string_view claims = "one diffuse bounce without occlusion";
+    std::uint32_t rsm_size = 256;
+    std::uint32_t samples = 400;
+    float radius = 1.0f;
+    bool rotate = false;
+    bool interpolate = true;
+    std::uint32_t low_resolution = 8;
+    float position_tolerance = 0.05f;
+    float normal_tolerance = 0.9f;
+    float strength = 1.0f;
+};
+
+/// Adding a method: its settings struct above, one word here, gi/<name>.cpp and its shader.
+using GiMethod = std::variant<GiOff, RsmExact, RsmGrid, RsmDisc>;
+
+/// How the camera's picture gets its indirect light. Without this component there is none.
+struct GiSettings {
+    GiMethod method = RsmDisc{};
+};
+
+/// Names of all methods in the variant's order.
+std::span<const std::string_view> gi_method_names();
+/// The method of that name with its default settings. Throws Error naming the choices.
+GiMethod make_gi_method(std::string_view name);
+std::string_view gi_method_name(const GiMethod& method);
+std::string_view gi_method_claims(const GiMethod& method);
+
+void visit_fields(FieldVisitor& visit, GiSettings& settings);
+
+}  // namespace sl

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sl {
+
+inline constexpr int scene_version = 1;
+inline constexpr std::uint64_t most_scene_bytes = std::uint64_t{64} << 20;
+inline constexpr std::size_t deepest_include = 8;
+
+namespace scene_key {
+inline constexpr std::string_view version = "secondlight_scene";
+inline constexpr std::string_view description = "description";
+inline constexpr std::string_view include = "include";
+inline constexpr std::string_view entities = "entities";
+inline constexpr std::string_view name = "name";
+inline constexpr std::string_view parent = "parent";
+inline constexpr std::string_view remove = "remove";
+}  // namespace scene_key
+
+/// What one file says about an entity.
+struct SceneLayer {
+    const nlohmann::json* object;
+    std::string where;  ///< file and JSON pointer, for messages
+};
+
+/// An entity with all that the included files and the including one say about it, innermost first.
+struct SceneEntity {
+    std::string name;
+    std::optional<std::string> parent;
+    std::string where;  ///< of the layer that named the parent
+    std::vector<SceneLayer> layers;
+};
+
+/// A scene file with its includes merged by entity name. Names are unique; parents exist and form no cycle;
+/// what the components hold is not looked at yet.
+struct SceneDocument {
+    std::string description;
+    std::vector<SceneEntity> entities;
+    std::vector<std::shared_ptr<const nlohmann::json>> files;  ///< what the layers point into
+};
+
+/// Throws Error with file and place for whatever is wrong.
+SceneDocument read_scene_document(const std::filesystem::path& path);
+
+}  // namespace sl

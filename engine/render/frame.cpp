@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#include "engine/render/frame.h"
+
+#include "engine/render/passes/compose.h"
+#include "engine/render/passes/direct_light.h"
+
+namespace sl {
+
+FrameOutput build_frame(const FrameInput& frame) {
+    FrameOutput output;
+    output.gbuffer = gbuffer(frame);
+    output.direct = direct_light(frame, output.gbuffer, shadow_maps(frame));
+
+    const GiMethod method = frame.scene.gi ? frame.scene.gi->method : GiMethod{GiOff{}};
+    const GiResult gi = std::visit([&](const auto& settings) { return indirect_light(frame, output.gbuffer, settings); }, method);
+    output.irradiance = gi.irradiance;
+    output.gi_progress = gi.progress;
+
+    output.hdr = compose(frame, output.gbuffer, output.direct, output.irradiance);
+    const ImageId ldr = tonemap(frame, output.hdr);
+    output.final = frame.scene.view->antialias ? antialias(frame, ldr) : ldr;
+    return output;
+}
+
+}  // namespace sl

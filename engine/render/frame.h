@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/render/gi/gi.h"
+
+namespace sl {
+
+/// A frame's images that people ask for; all handles are of this frame's graph.
+struct FrameOutput {
+    ImageId final;       ///< rgba8, sRGB-encoded: what is shown
+    ImageId hdr;         ///< rgba32f, nit
+    ImageId direct;      ///< rgba32f, nit
+    ImageId irradiance;  ///< rgba32f, lux, indirect
+    GBuffer gbuffer;
+    float gi_progress = 1.0f;
+};
+
+/// The table of contents of a frame. No GL: each line takes image handles and returns image handles, and a pass exists
+/// because a later line asked for what it makes.
+FrameOutput build_frame(const FrameInput& frame);
+
+}  // namespace sl

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/render/graph/resources.h"
+#include "engine/render/program_desc.h"
+
+namespace sl {
+
+enum class PassKind { fullscreen, compute, draws };
+
+/// One mesh in a geometry pass. Buffers are GL names; draw_index selects the row of the draws' storage block.
+struct DrawCall {
+    std::uint32_t vertex_buffer = 0;
+    std::uint32_t index_buffer = 0;
+    std::uint32_t index_count = 0;
+    std::uint32_t draw_index = 0;
+};
+using DrawList = std::shared_ptr<const std::vector<DrawCall>>;
+
+/// What happens to a target's old contents when a pass starts.
+enum class Load { clear, keep, discard };
+
+struct Target {
+    std::string output;  ///< the shader's own name; empty for depth
+    ImageId image;       ///< the version made by this pass
+    std::uint32_t layer = 0;
+    Load load = Load::discard;
+    std::array<float, 4> clear{};
+};
+
+struct ImageRead {
+    std::string sampler;
+    ImageId image;
+    Sampling sampling = Sampling::nearest;
+};
+
+struct StorageUse {
+    std::string block;
+    BufferId buffer;
+    bool written = false;
+};
+
+struct ImageStore {
+    std::string name;
+    ImageId image;
+};
+
+struct ParamBlock {
+    std::string block;
+    std::vector<std::byte> bytes;
+};
+
+/// Everything the executor needs to run a pass: plain data, so that a frame can be inspected without a GPU.
+struct PassRecord {
+    std::string name;
+    PassKind kind = PassKind::fullscreen;
+    ProgramDesc program;
+    std::vector<ImageRead> reads;
+    std::vector<StorageUse> storage;
+    std::vector<ImageStore> stores;
+    std::vector<ParamBlock> params;
+    std::vector<Target> targets;
+    Target depth;                      ///< depth.image is none when unused
+    bool depth_test = false;           ///< nearer wins (greater, reversed depth)
+    bool depth_equal_write = true;     ///< whether the depth target is written
+    bool blend_add = false;
+    bool cull_back = true;
+    float depth_bias_slope = 0.0f;
+    DrawList draws;
+    std::array<std::uint32_t, 3> groups{1, 1, 1};
+    bool keep = false;                 ///< runs even when nobody reads what it writes
+};
+
+}  // namespace sl

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/ranges.h>
+
+#include <set>
+
+#include "engine/render/graph/frame_graph.h"
+
+namespace sl {
+
+namespace {
+
+std::string label(const ResourceRecord& resource) {
+    if (resource.is_buffer) return resource.name;
+    const TextureDesc& desc = resource.image;
+    return desc.layers > 0 ? fmt::format("{} {}x{}x{}", resource.name, desc.width, desc.height, desc.layers)
+                           : fmt::format("{} {}x{}", resource.name, desc.width, desc.height);
+}
+
+struct Names {
+    std::vector<std::string> reads, writes;
+};
+
+Names names_of(const PassRecord& pass, const std::vector<ResourceRecord>& resources) {
+    Names names;
+    for (const ImageRead& read : pass.reads) names.reads.push_back(resources[read.image.index].name);
+    for (const StorageUse& use : pass.storage) {
+        (use.written ? names.writes : names.reads).push_back(resources[use.buffer.index].name);
+    }
+    for (const ImageStore& store : pass.stores) names.writes.push_back(label(resources[store.image.index]));
+    for (const Target& target : pass.targets) names.writes.push_back(label(resources[target.image.index]));
+    if (pass.depth.image) names.writes.push_back(label(resources[pass.depth.image.index]));
+    return names;
+}
+
+}  // namespace
+
+std::string FrameGraph::table(std::span<const Step> steps) const {
+    std::string text = fmt::format("{:<4}{:<24}{:<44}{}\n", "#", "pass", "writes", "reads");
+    int number = 0;
+    for (const Step& step : steps) {
+        const PassRecord& pass = passes_[static_cast<std::size_t>(step.pass)];
+        const Names names = names_of(pass, resources_);
+        text += fmt::format("{:<4}{:<24}{:<44}{}\n", ++number, pass.name, fmt::format("{}", fmt::join(names.writes, ", ")),
+                            fmt::join(names.reads, ", "));
+    }
+    return text;
+}
+
+std::string FrameGraph::mermaid(std::span<const Step> steps) const {
+    std::string text = "flowchart LR\n";
+    std::set<std::string> edges;
+    for (const Step& step : steps) {
+        const PassRecord& pass = passes_[static_cast<std::size_t>(step.pass)];
+        const auto arrow = [&](const ResourceId& id, bool made) {
+            const ResourceRecord& resource = resources_[id.index];
+            const std::string image = fmt::format("r{}([\"{}\"])", id.index, label(resource));
+            const std::string box = fmt::format("p{}[\"{}\"]", step.pass, pass.name);
+            edges.insert(made ? fmt::format("    {} --> {}\n", box, image) : fmt::format("    {} --> {}\n", image, box));
+        };
+        for (const ImageRead& read : pass.reads) arrow(read.image, false);
+        for (const StorageUse& use : pass.storage) arrow(use.buffer, use.written);
+        for (const ImageStore& store : pass.stores) arrow(store.image, true);
+        for (const Target& target : pass.targets) arrow(target.image, true);
+        if (pass.depth.image) arrow(pass.depth.image, true);
+    }
+    for (const std::string& edge : edges) text += edge;
+    return text;
+}
+
+}  // namespace sl

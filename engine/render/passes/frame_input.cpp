@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#include "engine/render/passes/frame_input.h"
+
+#include <cmath>
+
+namespace sl {
+
+FrameParams frame_params(const RenderScene& scene, std::uint32_t width, std::uint32_t height, std::uint32_t frame_index) {
+    const RenderScene::View& view = *scene.view;
+    const float aspect = static_cast<float>(width) / static_cast<float>(height);
+    const mat4 look = view_from_world(view.position, view.forward, view.up);
+    const float tangent = std::tan(0.5f * view.fov_y);
+    FrameParams params{};
+    params.clip_from_world = reversed_infinite_perspective(view.fov_y, aspect, view.near) * look;
+    params.camera_position = vec4(view.position, view.near);
+    params.ray_forward = vec4(-look[0][2], -look[1][2], -look[2][2], view.exposure());
+    params.ray_right = vec4(vec3(look[0][0], look[1][0], look[2][0]) * tangent * aspect, static_cast<float>(width));
+    params.ray_up = vec4(vec3(look[0][1], look[1][1], look[2][1]) * tangent, static_cast<float>(height));
+    params.sky = vec4(scene.sky_radiance, 0.0f);
+    params.counts = uvec4(static_cast<std::uint32_t>(scene.lights.size()), frame_index, 0, 0);
+    return params;
+}
+
+}  // namespace sl

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/render/passes/frame_input.h"
+
+namespace sl {
+
+/// What the camera sees, before light.
+struct GBuffer {
+    ImageId albedo;    ///< srgb8: base colour
+    ImageId normal;    ///< rg16: octahedral, 0..1
+    ImageId material;  ///< rgba8: roughness, metallic, specular
+    ImageId emission;  ///< rgba16f: nit
+    ImageId depth;     ///< reversed: near / distance; 0 is the background
+};
+
+GBuffer gbuffer(const FrameInput& frame);
+
+}  // namespace sl

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "engine/render/renderer.h"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <set>
+
+#include "engine/core/error.h"
+
+namespace sl {
+
+Renderer::Renderer(const std::filesystem::path& folder) : executor_(folder) {}
+
+Renderer::Result Renderer::render(const RenderScene& scene, const Request& request) {
+    Result result;
+    graph_ = FrameGraph(states_);
+    steps_.clear();
+    if (!scene.view) return result;
+    CHECK(request.width > 0 && request.height > 0, "a frame of {}x{}", request.width, request.height);
+
+    const LightTable lights = build_light_table(scene);
+    const SceneInputs inputs = gpu_scene_.upload(graph_, scene, lights);
+    const FrameInput frame{.graph = graph_,
+                           .scene = scene,
+                           .lights = lights,
+                           .inputs = inputs,
+                           .params = frame_params(scene, request.width, request.height, request.frame_index),
+                           .width = request.width,
+                           .height = request.height,
+                           .slice_budget = request.slice_budget};
+    result.images = build_frame(frame);
+    graph_.want(result.images.final);
+    if (request.want_irradiance) graph_.want(result.images.irradiance);
+    for (const std::string& name : request.wanted) {
+        const ImageId image = graph_.find_image(name);
+        if (!image) fail("this frame has no image '{}'; it has {}", name, fmt::join(image_names(graph_), ", "));
+        graph_.want(image);
+    }
+    for (const std::string& name : request.wanted_if_there) {
+        if (const ImageId image = graph_.find_image(name)) graph_.want(image);
+    }
+    steps_ = graph_.compile();
+    executor_.run(graph_, steps_, request.on_step);
+    result.drawn = true;
+
+    for (const std::uint32_t draw : visible_draws(scene, frame.params.clip_from_world)) {
+        result.triangles_drawn += inputs.calls[draw].index_count / 3;
+    }
+    result.triangles_culled = inputs.triangles - result.triangles_drawn;
+    return result;
+}
+
+Image Renderer::read(ImageId image, std::uint32_t layer) const {
+    const TextureDesc& desc = graph_.resources()[image.index].image;
+    const std::uint32_t channels = gl::channel_count(desc.format);
+    const std::vector<float> bottom_first = executor_.read(graph_, image, layer);
+    Image result(desc.width, desc.height, channels);
+    const std::size_t row = std::size_t{desc.width} * channels;
+    for (std::uint32_t y = 0; y < desc.height; ++y) {
+        std::copy_n(&bottom_first[(desc.height - 1 - y) * row], row, &result.data[y * row]);
+    }
+    return result;
+}
+
+std::vector<std::string> image_names(const FrameGraph& graph) {
+    std::set<std::string> names;
+    for (const ResourceRecord& resource : graph.resources()) {
+        if (!resource.is_buffer && resource.lifetime != Lifetime::external) names.insert(resource.name);
+    }
+    return {names.begin(), names.end()};
+}
+
+std::filesystem::path shader_folder() {
+    if (const char* chosen = std::getenv("SECONDLIGHT_SHADERS")) return chosen;
+    const std::filesystem::path source = SL_SOURCE_FOLDER "/shader";
+    if (std::filesystem::exists(source)) return source;
+    return std::filesystem::canonical("/proc/self/exe").parent_path() / "shader";
+}
+
+}  // namespace sl

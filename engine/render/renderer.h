@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/core/image.h"
+#include "engine/render/execute.h"
+#include "engine/render/frame.h"
+
+namespace sl {
+
+/// Draws render scenes into images on the current GL context.
+class Renderer {
+  public:
+    explicit Renderer(const std::filesystem::path& shader_folder);
+
+    struct Request {
+        std::uint32_t width = 640;
+        std::uint32_t height = 360;
+        std::uint32_t frame_index = 0;
+        std::uint32_t slice_budget = ~0u;   ///< steps of sliced work per frame
+        std::vector<std::string> wanted{};  ///< images to keep readable besides the final one
+        std::vector<std::string> wanted_if_there{};  ///< the same, but a frame without them is no error
+        bool want_irradiance = false;       ///< also the GI method's result, whatever it is called
+        Executor::OnStep on_step{};
+    };
+
+    /// What a frame left behind; images stay readable until the next frame.
+    struct Result {
+        bool drawn = false;          ///< false: the scene has no camera
+        FrameOutput images;
+        std::uint64_t triangles_drawn = 0;
+        std::uint64_t triangles_culled = 0;
+    };
+
+    /// Throws Error when `wanted` names an image that this frame does not have, listing those it has.
+    Result render(const RenderScene& scene, const Request& request);
+
+    /// One layer of an image of the last frame as an Image, top row first.
+    Image read(ImageId image, std::uint32_t layer = 0) const;
+    /// The image of that name in the last frame; none when there is none.
+    ImageId find_image(std::string_view name) const { return graph_.find_image(name); }
+    /// The last frame's graph and compiled steps.
+    const FrameGraph& graph() const { return graph_; }
+    const std::vector<Step>& steps() const { return steps_; }
+    Executor& executor() { return executor_; }
+    /// Bytes of meshes and textures on the GPU.
+    std::uint64_t gpu_bytes() const { return gpu_scene_.mesh_bytes() + executor_.texture_bytes(); }
+
+  private:
+    PersistentStates states_;
+    FrameGraph graph_{states_};
+    std::vector<Step> steps_;
+    Executor executor_;
+    GpuScene gpu_scene_;
+};
+
+/// Names of all images that a graph makes, for messages and lists.
+std::vector<std::string> image_names(const FrameGraph& graph);
+
+/// Where shaders lie: $SECONDLIGHT_SHADERS, or the folder of the source tree, or beside the program.
+std::filesystem::path shader_folder();
+
+}  // namespace sl

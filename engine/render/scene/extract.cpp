@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "engine/render/scene/extract.h"
+
+#include <cmath>
+
+#include "engine/ecs/components.h"
+#include "engine/ecs/query.h"
+
+namespace sl {
+
+namespace {
+
+/// The origin moves in steps, so that positions of still things keep their bytes (and cached light maps stay valid)
+/// while the camera walks; float is exact to 0.1 mm within a step.
+constexpr double origin_step = 1024.0;
+
+dvec3 snapped_origin(const dvec3& eye, const dvec3& previous) {
+    if (glm::all(glm::lessThan(glm::abs(eye - previous), dvec3(0.75 * origin_step)))) return previous;
+    return glm::round(eye / origin_step) * origin_step;
+}
+
+vec3 relative(const WorldTransform& transform, const dvec3& origin) { return vec3(transform.origin - origin); }
+
+vec3 forward_of(const WorldTransform& transform) { return glm::normalize(transform.linear * vec3(0, 0, -1)); }
+
+void extract_view(World& world, RenderScene& scene) {
+    scene.view.reset();
+    scene.gi.reset();
+    for (auto [entity, camera, transform] : Query<const Camera, const WorldTransform>(world)) {
+        if (!camera.active) continue;
+        scene.origin = snapped_origin(transform.origin, scene.origin);
+        scene.view = RenderScene::View{.position = relative(transform, scene.origin),
+                                       .forward = forward_of(transform),
+                                       .up = transform.linear * vec3(0, 1, 0),
+                                       .fov_y = camera.fov_y,
+                                       .near = camera.near,
+                                       .ev100 = camera.ev100,
+                                       .antialias = camera.antialias};
+        if (const auto* gi = world.find<GiSettings>(entity)) scene.gi = *gi;
+        return;
+    }
+}
+
+void extract_materials(World& world, RenderScene& scene) {
+    scene.materials.clear();
+    if (const auto* table = world.find_resource<MaterialTable>()) scene.materials = table->entries;
+}
+
+std::uint64_t material_hash(const MaterialEntry& entry) {
+    const Material& m = entry.material;
+    const std::array<float, 10> values{m.base_colour.x, m.base_colour.y, m.base_colour.z, m.metallic, m.roughness,
+                                       m.specular, m.emission, m.emission_colour.x, m.emission_colour.y,
+                                       m.emission_colour.z};
+    return hash_mix(hash_bytes(0x5ec0d, values.data(), sizeof values), static_cast<std::uint32_t>(entry.texture_layer));
+}
+
+void extract_draws(World& world, RenderScene& scene) {
+    scene.draws.clear();
+    scene.bounds = {};
+    scene.meshes = world.find_resource<MeshPool>();
+    scene.textures = world.find_resource<TextureLayers>();
+    if (scene.meshes == nullptr) return;
+    for (auto [entity, instance, transform] : Query<const MeshInstance, const WorldTransform>(world)) {
+        const MeshData* mesh = scene.meshes->find(instance.mesh);
+        if (mesh == nullptr || mesh->indices.empty()) continue;
+        RenderScene::Draw draw;
+        draw.mesh = instance.mesh;
+        draw.world_from_local = mat4(transform.linear);
+        draw.world_from_local[3] = vec4(relative(transform, scene.origin), 1.0f);
+        std::uint64_t own_material = 0;
+        if (instance.first_material == MeshInstance::own_material) {
+            const auto* material = world.find<Material>(entity);
+            draw.first_material = static_cast<std::uint32_t>(scene.materials.size());
+            scene.materials.push_back({material != nullptr ? *material : Material{}, -1});
+            own_material = material_hash(scene.materials.back());
+        } else {
+            draw.first_material = static_cast<std::uint32_t>(instance.first_material);
+        }
+        draw.bounds = transformed(mesh->bounds, draw.world_from_local);
+        draw.content = hash_bytes(hash_mix(own_material, draw.first_material), &draw.world_from_local, sizeof(mat4));
+        draw.content = hash_mix(hash_mix(draw.content, instance.mesh.slot), instance.mesh.generation);
+        draw.content = hash_mix(draw.content, mesh->version);
+        scene.bounds.add(draw.bounds);
+        scene.draws.push_back(draw);
+    }
+    scene.materials_hash = scene.textures != nullptr ? scene.textures->version : 0;
+    for (const MaterialEntry& entry : scene.materials) scene.materials_hash = hash_mix(scene.materials_hash, material_hash(entry));
+}
+
+void extract_lights(World& world, RenderScene& scene) {
+    using Light = RenderScene::Light;
+    scene.lights.clear();
+    for (auto [entity, light, transform] : Query<const DirectionalLight, const WorldTransform>(world)) {
+        if (light.illuminance <= 0.0f) continue;
+        scene.lights.push_back({.kind = Light::Kind::directional, .direction = forward_of(transform),
+                                .intensity = light.colour * light.illuminance, .casts_shadow = light.casts_shadow,
+                                .bounces = light.bounces, .shadow_size = light.shadow_size,
+                                .shadow_distance = light.shadow_distance});
+    }
+    for (auto [entity, light, transform] : Query<const SpotLight, const WorldTransform>(world)) {
+        if (light.intensity <= 0.0f) continue;
+        scene.lights.push_back({.kind = Light::Kind::spot, .position = relative(transform, scene.origin),
+                                .direction = forward_of(transform), .intensity = light.colour * light.intensity,
+                                .range = light.range, .inner_cone = std::min(light.inner_cone, light.outer_cone),
+                                .outer_cone = light.outer_cone, .casts_shadow = light.casts_shadow,
+                                .bounces = light.bounces, .shadow_size = light.shadow_size});
+    }
+    for (auto [entity, light, transform] : Query<const PointLight, const WorldTransform>(world)) {
+        if (light.intensity <= 0.0f) continue;
+        scene.lights.push_back({.kind = Light::Kind::point, .position = relative(transform, scene.origin),
+                                .intensity = light.colour * light.intensity, .range = light.range});
+    }
+    scene.sky_radiance = vec3(0.0f);
+    scene.sky_lights_surfaces = false;
+    for (auto [entity, sky] : Query<const SkyLight>(world)) {
+        scene.sky_radiance += sky.colour * sky.luminance;
+        scene.sky_lights_surfaces |= sky.lights_surfaces;
+    }
+}
+
+}  // namespace
+
+void extract(World& world, RenderScene& scene) {
+    extract_view(world, scene);
+    extract_materials(world, scene);
+    extract_draws(world, scene);
+    extract_lights(world, scene);
+}
+
+}  // namespace sl

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#include "engine/render/scene/render_scene.h"
+
+#include <cmath>
+
+namespace sl {
+
+float RenderScene::View::exposure() const { return 1.0f / (1.2f * std::exp2(ev100)); }
+
+std::uint64_t RenderScene::geometry_hash() const {
+    std::uint64_t hash = materials_hash;
+    for (const Draw& draw : draws) hash = hash_mix(hash, draw.content);
+    return hash;
+}
+
+}  // namespace sl

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "engine/core/mesh_data.h"
+#include "engine/ecs/components/gi_settings.h"
+#include "engine/ecs/components/mesh_instance.h"
+
+namespace sl {
+
+/// Everything a frame is drawn from, as plain arrays: the renderer and the path tracer see this and never the World.
+/// Positions are relative to `origin`, so that float is exact enough wherever the camera stands.
+struct RenderScene {
+    struct View {
+        vec3 position{0.0f};
+        vec3 forward{0, 0, -1};
+        vec3 up{0, 1, 0};
+        float fov_y = 1.0f;  ///< rad
+        float near = 0.02f;  ///< m
+        float ev100 = 12.0f;
+        bool antialias = true;
+
+        /// Multiplies nit: 1 / (1.2 · 2^EV100) (ISO 2720).
+        float exposure() const;
+    };
+
+    struct Draw {
+        MeshHandle mesh;
+        mat4 world_from_local{1.0f};
+        std::uint32_t first_material = 0;
+        Bounds bounds;              ///< of the drawn mesh
+        std::uint64_t content = 0;  ///< hash of everything that can change how it looks in a light's map
+    };
+
+    struct Light {
+        enum class Kind { directional, spot, point };
+        Kind kind = Kind::directional;
+        vec3 position{0.0f};
+        vec3 direction{0, -1, 0};  ///< unit, in which light travels
+        vec3 intensity{0.0f};      ///< lux (directional) or candela
+        float range = 0.0f;        ///< m, 0 = without end
+        float inner_cone = 0.0f;   ///< rad, half angle
+        float outer_cone = 0.5f;
+        bool casts_shadow = false;
+        bool bounces = false;
+        std::uint32_t shadow_size = 1024;
+        float shadow_distance = 100.0f;  ///< m, directional
+    };
+
+    dvec3 origin{0.0};
+    std::optional<View> view;  ///< none: there is nothing to draw from
+    std::vector<Draw> draws;
+    std::vector<Light> lights;
+    std::vector<MaterialEntry> materials;
+    std::uint64_t materials_hash = 0;
+    vec3 sky_radiance{0.0f};  ///< nit
+    bool sky_lights_surfaces = false;
+    std::optional<GiSettings> gi;
+    Bounds bounds;  ///< of all draws
+    const MeshPool* meshes = nullptr;
+    const TextureLayers* textures = nullptr;
+
+    /// Hash of all geometry and materials.
+    std::uint64_t geometry_hash() const;
+};
+
+}  // namespace sl

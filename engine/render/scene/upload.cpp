@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "engine/render/scene/upload.h"
+
+#include "shared/scene.h"
+
+namespace sl {
+
+namespace {
+
+mat4 cofactors(const mat4& matrix) {
+    mat4 result(0.0f);
+    result[0] = vec4(glm::cross(vec3(matrix[1]), vec3(matrix[2])), 0.0f);
+    result[1] = vec4(glm::cross(vec3(matrix[2]), vec3(matrix[0])), 0.0f);
+    result[2] = vec4(glm::cross(vec3(matrix[0]), vec3(matrix[1])), 0.0f);
+    // A mirrored mesh turns its winding and its cofactors alike; the sign keeps the normal outward.
+    const float sign = glm::dot(vec3(matrix[0]), vec3(result[0])) < 0.0f ? -1.0f : 1.0f;
+    return sign * result;
+}
+
+MaterialParams material_params(const MaterialEntry& entry) {
+    const Material& m = entry.material;
+    return {.base_colour = vec4(m.base_colour, m.roughness),
+            .emission = vec4(m.emission_colour * m.emission, m.metallic),
+            .specular = vec4(m.specular, 0, 0, 0),
+            .texture = uvec4(entry.texture_layer >= 0 ? static_cast<std::uint32_t>(entry.texture_layer) : no_texture, 0, 0, 0)};
+}
+
+}  // namespace
+
+DrawList SceneInputs::list(const std::vector<std::uint32_t>& draws_) const {
+    auto chosen = std::make_shared<std::vector<DrawCall>>();
+    chosen->reserve(draws_.size());
+    for (const std::uint32_t draw : draws_) chosen->push_back(calls[draw]);
+    return chosen;
+}
+
+const GpuScene::GpuMesh& GpuScene::refresh(const RenderScene& scene, MeshHandle handle) {
+    const MeshData& mesh = scene.meshes->at(handle);
+    GpuMesh& gpu = meshes_[handle];
+    if (gpu.used_in == 0 || gpu.version != mesh.version) {
+        gpu.vertices.upload(mesh.vertices, "vertices");
+        gpu.indices.upload(mesh.indices, "indices");
+        gpu.index_count = static_cast<std::uint32_t>(mesh.indices.size());
+        gpu.version = mesh.version;
+    }
+    gpu.used_in = frame_;
+    return gpu;
+}
+
+void GpuScene::refresh_textures(const RenderScene& scene) {
+    const std::uint32_t version = scene.textures != nullptr ? scene.textures->version : 0;
+    if (textures_ && version == textures_version_) return;
+    textures_version_ = version;
+    const bool any = scene.textures != nullptr && !scene.textures->layers.empty();
+    if (!any) {
+        textures_ = gl::Texture({.layers = 1, .format = Format::srgb8_alpha8}, "no textures");
+        const std::vector<std::uint8_t> white{255, 255, 255, 255};
+        textures_.upload(0, 0, std::as_bytes(std::span(white)));
+        return;
+    }
+    const TextureLayers& layers = *scene.textures;
+    textures_ = gl::Texture({.width = layers.size, .height = layers.size,
+                             .layers = static_cast<std::uint32_t>(layers.layers.size()), .mips = layers.mips,
+                             .format = Format::srgb8_alpha8}, "block textures");
+    for (std::uint32_t layer = 0; layer < layers.layers.size(); ++layer) {
+        std::span<const std::uint8_t> bytes(layers.layers[layer]);
+        for (std::uint32_t mip = 0; mip < layers.mips; ++mip) {
+            const std::size_t side = std::max(layers.size >> mip, 1u);
+            textures_.upload(mip, layer, std::as_bytes(bytes.first(side * side * 4)));
+            bytes = bytes.subspan(side * side * 4);
+        }
+    }
+}
+
+SceneInputs GpuScene::upload(FrameGraph& graph, const RenderScene& scene, const LightTable& lights) {
+    ++frame_;
+    SceneInputs inputs;
+    std::vector<DrawParams> draws;
+    draws.reserve(scene.draws.size());
+    for (const RenderScene::Draw& draw : scene.draws) {
+        const GpuMesh& mesh = refresh(scene, draw.mesh);
+        inputs.calls.push_back({.vertex_buffer = mesh.vertices.id(), .index_buffer = mesh.indices.id(),
+                                .index_count = mesh.index_count, .draw_index = static_cast<std::uint32_t>(draws.size())});
+        inputs.triangles += mesh.index_count / 3;
+        draws.push_back({.world_from_local = draw.world_from_local, .normal_from_local = cofactors(draw.world_from_local),
+                         .first_material = uvec4(draw.first_material, 0, 0, 0)});
+    }
+    // A mesh that no draw names any more has left the scene.
+    std::erase_if(meshes_, [&](const auto& entry) { return entry.second.used_in != frame_; });
+
+    std::vector<MaterialParams> materials;
+    materials.reserve(scene.materials.size());
+    for (const MaterialEntry& entry : scene.materials) materials.push_back(material_params(entry));
+    draws_.upload(draws, "draws");
+    materials_.upload(materials, "materials");
+    lights_.upload(lights.params, "lights");
+    refresh_textures(scene);
+
+    inputs.draws = graph.import_buffer("draws", draws.size() * sizeof(DrawParams), draws_.id());
+    inputs.materials = graph.import_buffer("materials", materials.size() * sizeof(MaterialParams), materials_.id());
+    inputs.lights = graph.import_buffer("lights", lights.params.size() * sizeof(LightParams), lights_.id());
+    inputs.textures = graph.import_image("block_textures", textures_.desc(), textures_.id());
+    return inputs;
+}
+
+std::uint64_t GpuScene::mesh_bytes() const {
+    std::uint64_t bytes = 0;
+    for (const auto& [handle, mesh] : meshes_) bytes += mesh.vertices.capacity() + mesh.indices.capacity();
+    return bytes;
+}
+
+}  // namespace sl

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+
+#include "engine/render/gl/buffer.h"
+#include "engine/render/gl/texture.h"
+#include "engine/render/graph/frame_graph.h"
+#include "engine/render/scene/light_map.h"
+
+namespace sl {
+
+/// The scene's arrays as the frame's passes read them.
+struct SceneInputs {
+    BufferId draws, materials, lights;
+    ImageId textures;
+    std::vector<DrawCall> calls;  ///< one per RenderScene::Draw
+    std::uint64_t triangles = 0;
+
+    /// The calls of some draws, for one pass.
+    DrawList list(const std::vector<std::uint32_t>& draws) const;
+};
+
+/// Keeps GPU copies of meshes, materials and textures, and refreshes what changed.
+class GpuScene {
+  public:
+    SceneInputs upload(FrameGraph& graph, const RenderScene& scene, const LightTable& lights);
+    /// Bytes of vertex and index buffers held.
+    std::uint64_t mesh_bytes() const;
+
+  private:
+    struct GpuMesh {
+        gl::Buffer vertices, indices;
+        std::uint32_t index_count = 0;
+        std::uint32_t version = 0;
+        std::uint64_t used_in = 0;
+    };
+    const GpuMesh& refresh(const RenderScene& scene, MeshHandle handle);
+    void refresh_textures(const RenderScene& scene);
+
+    std::map<MeshHandle, GpuMesh> meshes_;
+    gl::Buffer draws_, materials_, lights_;
+    gl::Texture textures_;
+    std::uint32_t textures_version_ = ~0u;
+    std::uint64_t frame_ = 0;
+};
+
+}  // namespace sl

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "engine/core/error.h"
+#include "engine/core/text_file.h"
+#include "engine/ecs/query.h"
+#include "engine/render/capture.h"
+#include "engine/render/gl/gl.h"
+#include "engine/render/scene/extract.h"
+#include "game/app/headless.h"
+#include "game/app/progress.h"
+
+namespace sl {
+
+namespace {
+
+struct BenchFlags {
+    std::string size = "640x360";
+    std::uint32_t pairs = 10;
+    std::vector<std::string> scenes{"outdoor", "indoor"};
+    std::string gi;
+    std::vector<std::string> sets;
+    std::string json;
+};
+
+/// Milliseconds over runs: smallest, quartiles, largest.
+struct Spread {
+    double low = 0, first = 0, median = 0, third = 0, high = 0;
+};
+
+Spread spread_of(std::vector<double> values) {
+    if (values.empty()) return {};
+    std::ranges::sort(values);
+    const auto at = [&](double share) { return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5)]; };
+    return {values.front(), at(0.25), at(0.5), at(0.75), values.back()};
+}
+
+std::string row(const Spread& s) { return fmt::format("{:>10.2f}{:>10.2f}{:>10.2f}{:>10.2f}{:>10.2f}", s.median, s.first, s.third, s.low, s.high); }
+
+nlohmann::json json_of(const Spread& s) {
+    return {{"median", s.median}, {"quartile_1", s.first}, {"quartile_3", s.third}, {"min", s.low}, {"max", s.high}};
+}
+
+/// One of the two sides that alternate: its world, renderer and what was measured.
+struct Side {
+    App app;
+    Renderer renderer{shader_folder()};
+    RenderScene scene;
+    std::vector<double> frames;
+    std::map<std::string, std::vector<double>> passes;
+    std::vector<std::string> order;
+};
+
+/// The camera turns a little each frame, the same way on both sides: nothing that depends on the view may be reused.
+void turn_camera(App& app, std::uint32_t frame) {
+    const Entity camera = active_camera(app.world);
+    if (!camera) fail("this scene has no active camera to measure from");
+    auto& rotation = app.world.get<Transform>(camera).rotation;
+    const float angle = (frame % 2 == 0 ? 1.0f : -1.0f) * 1e-3f;
+    rotation = glm::normalize(glm::angleAxis(angle, vec3(0, 1, 0)) * rotation);
+}
+
+double draw(Side& side, uvec2 size, std::uint32_t frame, bool per_pass) {
+    turn_camera(side.app, frame);
+    side.app.schedule.run(side.app.world);
+    side.renderer.executor().set_timing(per_pass);
+    glFinish();
+    const auto start = std::chrono::steady_clock::now();
+    extract(side.app.world, side.scene);
+    side.renderer.render(side.scene, {.width = size.x, .height = size.y, .frame_index = frame});
+    glFinish();
+    const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - start;
+    return passed.count();
+}
+
+void measure(Side& side, uvec2 size, std::uint32_t frame) {
+    side.frames.push_back(draw(side, size, 2 * frame, false));
+    draw(side, size, 2 * frame + 1, true);
+    // Slices of one method are one row.
+    std::map<std::string, double> sums;
+    for (const auto& [pass, milliseconds] : side.renderer.executor().finished_timings()) {
+        const std::size_t tail = pass.find_last_not_of("0123456789");
+        const std::string name = tail != std::string::npos && tail + 1 < pass.size() && pass[tail] == '_' ? pass.substr(0, tail) : pass;
+        if (!sums.contains(name) && !side.passes.contains(name)) side.order.push_back(name);
+        sums[name] += milliseconds;
+    }
+    for (const auto& [name, milliseconds] : sums) side.passes[name].push_back(milliseconds);
+}
+
+nlohmann::json report(const std::string& scene, const std::string& method, const Side& off, const Side& on) {
+    std::vector<double> ratios, differences;
+    for (std::size_t i = 0; i < off.frames.size(); ++i) {
+        ratios.push_back(on.frames[i] / off.frames[i]);
+        differences.push_back(on.frames[i] - off.frames[i]);
+    }
+    const std::string head = fmt::format("{:>10}{:>10}{:>10}{:>10}{:>10}", "median", "q1", "q3", "min", "max");
+    fmt::print("\n{} · off against {} · {} pairs · ms\n{:<28}{}\n", scene, method, off.frames.size(), "", head);
+    fmt::print("{:<28}{}\n{:<28}{}\n", "frame, GI off", row(spread_of(off.frames)), "frame, GI on", row(spread_of(on.frames)));
+    fmt::print("{:<28}{}\n{:<28}{}\n", "extra time of GI", row(spread_of(differences)), "ratio on / off", row(spread_of(ratios)));
+    nlohmann::json json{{"scene", scene}, {"method", method}, {"pairs", off.frames.size()}, {"frame_off_ms", json_of(spread_of(off.frames))},
+                        {"frame_on_ms", json_of(spread_of(on.frames))}, {"extra_ms", json_of(spread_of(differences))}, {"ratio", json_of(spread_of(ratios))}};
+    fmt::print("  passes with GI on, each finished before the next:\n");
+    for (const std::string& name : on.order) {
+        fmt::print("  {:<26}{}\n", name, row(spread_of(on.passes.at(name))));
+        json["passes_ms"][name] = json_of(spread_of(on.passes.at(name)));
+    }
+    return json;
+}
+
+int run_onoff(const GlobalFlags& global, const BenchFlags& flags) {
+    const uvec2 size = parse_size(flags.size);
+    Headless headless(global);
+    fmt::print("{} · {} · {}x{}\n", headless.context->renderer(), headless.context->version(), size.x, size.y);
+    nlohmann::json results = nlohmann::json::array();
+    for (const std::string& scene : flags.scenes) {
+        Side off{.app = open_scene({.scene = scene, .gi = "off"})};
+        Side on{.app = open_scene({.scene = scene, .gi = flags.gi, .sets = flags.sets})};
+        const auto* settings = on.app.world.find<GiSettings>(active_camera(on.app.world));
+        const std::string method(settings != nullptr ? gi_method_name(settings->method) : "off");
+        Progress progress(fmt::format("{}, {}", scene, method));
+        for (std::uint32_t warm_up = 0; warm_up < 2; ++warm_up) {
+            draw(off, size, warm_up, false);
+            draw(on, size, warm_up, false);
+        }
+        for (std::uint32_t pair = 0; pair < flags.pairs; ++pair) {
+            measure(off, size, pair);
+            measure(on, size, pair);
+            progress.update(pair + 1, flags.pairs);
+        }
+        results.push_back(report(scene, method, off, on));
+    }
+    headless.check_errors();
+    if (!flags.json.empty()) {
+        const nlohmann::json all{{"renderer", headless.context->renderer()}, {"version", headless.context->version()},
+                                 {"width", size.x}, {"height", size.y}, {"results", results}};
+        write_text_file(flags.json, all.dump(2) + "\n");
+    }
+    return 0;
+}
+
+}  // namespace
+
+void add_bench_command(CLI::App& cli, const GlobalFlags& global, Command& chosen) {
+    CLI::App* bench = cli.add_subcommand("bench", "Measure speed");
+    bench->require_subcommand(1);
+    auto flags = std::make_shared<BenchFlags>();
+    CLI::App* command = bench->add_subcommand("onoff", "Frame time with GI off and on, alternating in one process, camera turning");
+    command->add_option("--scene", flags->scenes, "Scenes to measure")->capture_default_str();
+    command->add_option("--gi", flags->gi, "GI method of the on side; default: the scene's own");
+    command->add_option("--set", flags->sets, "component.field=value for the on side; repeatable");
+    command->add_option("--size", flags->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
+    command->add_option("--pairs", flags->pairs, "Pairs of frames")->capture_default_str()->check(CLI::Range(1u, 100000u));
+    command->add_option("--json", flags->json, "Also write the figures into this file");
+    command->callback([&global, &chosen, flags] { chosen = [&global, flags] { return run_onoff(global, *flags); }; });
+}
+
+}  // namespace sl

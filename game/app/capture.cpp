@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include <CLI/CLI.hpp>
+
+#include "engine/core/error.h"
+#include "engine/core/log.h"
+#include "engine/render/capture.h"
+#include "game/app/headless.h"
+#include "game/app/progress.h"
+#include "game/voxel_content.h"
+
+namespace sl {
+
+namespace {
+
+struct CaptureFlags {
+    SceneChoice choice;
+    std::string size = "640x360";
+    std::uint32_t frame = 0;
+    std::string png, exr, show;
+    std::string print_graph;
+    bool print_schedule = false;
+    bool stats = false;
+};
+
+void print_stats(App& app, Headless& headless, const Capture& captured) {
+    const auto& voxels = app.world.resource<VoxelStats>();
+    fmt::print("{:<28}{}\n", "triangles drawn, culled",
+               fmt::format("{}, {}", captured.result.triangles_drawn, captured.result.triangles_culled));
+    fmt::print("{:<28}{}\n", "voxel chunks, blocks", fmt::format("{}, {}", voxels.chunks, voxels.total.blocks));
+    fmt::print("{:<28}{}\n", "as naive cubes, faces", voxels.total.naive_faces);
+    fmt::print("{:<28}{}\n", "visible faces, merged quads", fmt::format("{}, {}", voxels.total.visible_faces, voxels.total.quads));
+    fmt::print("{:<28}{:.1f} MiB\n", "meshes and textures", static_cast<double>(headless.renderer.gpu_bytes()) / 1048576.0);
+    fmt::print("{:<28}{} ({})\n", "renderer", headless.context->renderer(), headless.context->version());
+    if (const ImageId refined = headless.renderer.find_image("refined")) {
+        const Image image = headless.renderer.read(refined);
+        double sum = 0.0;
+        for (std::size_t i = 0; i < image.data.size(); i += image.channels) sum += image.data[i];
+        fmt::print("{:<28}{:.2f} %\n", "pixels gathered in full", 100.0 * sum / (double(image.width) * image.height));
+    }
+    for (const auto& [pass, milliseconds] : headless.renderer.executor().finished_timings()) {
+        fmt::print("{:<28}{:.2f} ms\n", pass, milliseconds);
+    }
+}
+
+int run_capture(const GlobalFlags& global, const CaptureFlags& flags) {
+    const uvec2 size = parse_size(flags.size);
+    if (!flags.print_graph.empty() && flags.print_graph != "table" && flags.print_graph != "mermaid") {
+        fail("--print-graph '{}': choose table or mermaid", flags.print_graph);
+    }
+    App app = open_scene(flags.choice);
+    if (flags.print_schedule) fmt::print("{}", app.schedule.describe());
+    Headless headless(global);
+    headless.renderer.executor().set_timing(flags.stats);
+    Progress progress(fmt::format("capturing {}", flags.choice.scene));
+    const Capture captured = capture(app, headless.renderer,
+                                     {.width = size.x, .height = size.y, .frame = flags.frame, .show = flags.show,
+                                      .layers = !flags.exr.empty(), .keep_refined = flags.stats,
+                                      .on_step = [&](std::size_t step, std::size_t steps, const std::string&) { progress.update(step, steps); }});
+    if (captured.empty) log::warn("scene '{}' has no active camera: the picture is black", flags.choice.scene);
+    if (flags.print_graph == "table") fmt::print("{}", headless.renderer.graph().table(headless.renderer.steps()));
+    if (flags.print_graph == "mermaid") fmt::print("{}", headless.renderer.graph().mermaid(headless.renderer.steps()));
+    if (flags.stats) print_stats(app, headless, captured);
+    if (!flags.png.empty()) write_png(flags.png, captured.picture);
+    if (!flags.exr.empty()) write_exr(flags.exr, captured.layers);
+    headless.check_errors();
+    return 0;
+}
+
+}  // namespace
+
+void add_capture_command(CLI::App& cli, const GlobalFlags& global, Command& chosen) {
+    auto flags = std::make_shared<CaptureFlags>();
+    CLI::App* command = cli.add_subcommand("capture", "Render one frame without a display into PNG and EXR files");
+    add_scene_flags(*command, flags->choice);
+    command->add_option("--size", flags->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
+    command->add_option("--frame", flags->frame, "Simulate this many frames of 1/60 s first; the last is kept")
+        ->capture_default_str()
+        ->check(CLI::Range(0u, 1000000u));
+    command->add_option("-o,--output", flags->png, "PNG of the tonemapped picture, or of what --show names");
+    command->add_option("--exr", flags->exr, "EXR with the linear layers: radiance, direct, irradiance, albedo, normal, depth");
+    command->add_option("--show", flags->show, "An image of the frame instead of the picture (see `secondlight list passes`), e.g. irradiance or rsm_flux.0");
+    command->add_option("--print-graph", flags->print_graph, "Print the compiled frame graph: table or mermaid")->expected(0, 1)->default_str("table");
+    command->add_flag("--print-schedule", flags->print_schedule, "Print stages, systems, and what they read, write and wait for");
+    command->add_flag("--stats", flags->stats, "Print triangles, memory, GPU time per pass, and the share of pixels gathered in full");
+    command->callback([&global, &chosen, flags, command] {
+        if (command->count("--print-graph") > 0 && flags->print_graph.empty()) flags->print_graph = "table";
+        chosen = [&global, flags] { return run_capture(global, *flags); };
+    });
+}
+
+}  // namespace sl

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cstdlib>
+
+#include "engine/core/error.h"
+#include "game/app/commands.h"
+
+namespace sl {
+
+void add_scene_flags(CLI::App& command, SceneChoice& choice) {
+    command.add_option("--scene", choice.scene, "Scene by name (see `secondlight list scenes`) or path")->capture_default_str();
+    command.add_option("--gi", choice.gi, "GI method (see `secondlight list methods`), e.g. rsm_disc or rsm_grid:paper-artefact");
+    command.add_option("--set", choice.sets,
+                       "component.field=value, or entity.component.field=value; repeatable (see `secondlight list settings`)");
+}
+
+uvec2 parse_size(const std::string& text) {
+    constexpr unsigned limit = 16384;
+    uvec2 size(0);
+    const char* end = text.data() + text.size();
+    const auto width = std::from_chars(text.data(), end, size.x);
+    if (width.ec == std::errc() && width.ptr != end && *width.ptr == 'x') {
+        const auto height = std::from_chars(width.ptr + 1, end, size.y);
+        if (height.ec == std::errc() && height.ptr == end && size.x >= 1 && size.y >= 1 && size.x <= limit && size.y <= limit) {
+            return size;
+        }
+    }
+    fail("--size '{}' is not a size; write WIDTHxHEIGHT, each from 1 to {}, for example 640x360", text, limit);
+}
+
+bool has_display() {
+    const auto set = [](const char* name) {
+        const char* value = std::getenv(name);
+        return value != nullptr && *value != '\0';
+    };
+    return set("DISPLAY") || set("WAYLAND_DISPLAY");
+}
+
+}  // namespace sl

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "engine/ecs/app.h"
+#include "engine/render/renderer.h"
+
+namespace sl {
+
+/// Frame times as people can read them: a mean over the last half second or so.
+class FrameMeter {
+  public:
+    void add(double seconds) {
+        const double share = std::min(1.0, seconds / 0.5);
+        mean_ = mean_ == 0.0 ? seconds : mean_ + share * (seconds - mean_);
+    }
+    double milliseconds() const { return mean_ * 1e3; }
+
+  private:
+    double mean_ = 0.0;
+};
+
+/// What is drawn over the picture.
+struct HudInput {
+    const Renderer::Result& frame;
+    double frame_ms = 0.0;
+    double gi_ms = 0.0;
+    bool help = false;
+    bool mouse_captured = false;
+    std::span<const std::string> shader_errors;
+    std::string failure;  ///< why there is no picture; empty when there is one
+};
+
+/// Milliseconds of the passes that exist only for indirect light.
+double gi_milliseconds(std::span<const std::pair<std::string, double>> passes);
+
+/// Text at the top left, crosshair, notice, and, when asked, the list of keys. Widgets that take no input.
+void draw_hud(App& app, const HudInput& input);
+
+}  // namespace sl

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include <CLI/CLI.hpp>
+#include <fmt/ranges.h>
+
+#include "engine/core/field_list.h"
+#include "engine/render/capture.h"
+#include "game/app/headless.h"
+#include "game/voxel_content.h"
+
+namespace sl {
+
+namespace {
+
+void list_scenes() {
+    for (const SceneListing& scene : scene_names()) fmt::print("{:<12}{}\n", scene.name, scene.description);
+}
+
+void list_methods() {
+    for (const std::string_view name : gi_method_names()) fmt::print("{:<12}{}\n", name, gi_method_claims(make_gi_method(name)));
+}
+
+void print_rows(const std::string& component, const std::vector<FieldRow>& rows) {
+    for (const FieldRow& row : rows) {
+        const std::string unit = row.unit.empty() ? "" : " " + row.unit;
+        fmt::print("{:<36}{:<14}{}\n    {}\n", component + "." + row.name, row.value, row.range + unit, row.help);
+    }
+}
+
+void list_settings() {
+    App app;
+    add_voxel_world(app);
+    for (const ComponentType& type : app.registry().types()) {
+        if (type.name == "gi") continue;
+        FieldLister lister;
+        type.visit_default(lister);
+        print_rows(type.name, lister.rows);
+    }
+    // A method's settings are there while the method is chosen, so each method is asked for its own.
+    for (const std::string_view name : gi_method_names()) {
+        fmt::print("\nwith gi.method={}:\n", name);
+        print_rows("gi", list_fields(GiSettings{make_gi_method(name)}));
+    }
+}
+
+void list_passes(const GlobalFlags& global) {
+    Headless headless(global);
+    for (const std::string_view method : gi_method_names()) {
+        App app = open_scene({.scene = "outdoor", .gi = std::string(method), .sets = {}});
+        (void)capture(app, headless.renderer, {.width = 16, .height = 9});
+        std::vector<std::string> passes;
+        for (const Step& step : headless.renderer.steps()) {
+            passes.push_back(headless.renderer.graph().passes()[static_cast<std::size_t>(step.pass)].name);
+        }
+        fmt::print("with gi.method={}:\n  passes: {}\n  images for --show: {}\n", method, fmt::join(passes, ", "),
+                   fmt::join(image_names(headless.renderer.graph()), ", "));
+    }
+}
+
+}  // namespace
+
+void add_list_command(CLI::App& cli, const GlobalFlags& global, Command& chosen) {
+    CLI::App* command = cli.add_subcommand("list", "Tell what can be chosen");
+    command->require_subcommand(1);
+    const auto add = [&](const char* name, const char* help, std::function<void()> print) {
+        command->add_subcommand(name, help)->callback([&chosen, print] {
+            chosen = [print] {
+                print();
+                return 0;
+            };
+        });
+    };
+    add("scenes", "Scenes that come with the game", list_scenes);
+    add("methods", "GI methods and what each claims", list_methods);
+    add("settings", "Every component's fields with default, range, unit and what they do", list_settings);
+    add("passes", "Passes and images of a frame, per GI method", [&global] { list_passes(global); });
+}
+
+}  // namespace sl

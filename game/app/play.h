@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <chrono>
+#include <optional>
+
+#include "editor/editor_panel.h"
+#include "editor/imgui_layer.h"
+#include "game/app/commands.h"
+#include "game/app/hud.h"
+#include "game/app/presenter.h"
+#include "game/app/slice_budget.h"
+
+namespace sl {
+
+struct PlaySettings {
+    SceneChoice scene;
+    WindowSettings window;
+    double render_scale = 1.0;    ///< pixels drawn per pixel shown, per axis
+    std::uint64_t max_frames = 0;  ///< 0: until the window is closed
+};
+
+/// The game in a window: everything from the context to the loop. Construction throws Error like open_scene and Window.
+class Play {
+  public:
+    explicit Play(const PlaySettings& settings);
+    /// Until the window is closed. Throws Error at the end when the driver reported errors.
+    void run();
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    void frame();
+    double step_clock();
+    /// Keys of the window itself, which also work while a widget has the keyboard.
+    void window_keys(Input& input);
+    void capture_on_click(Input& input);
+    void render(uvec2 window_size);
+    void reload_shaders();
+    void show(uvec2 window_size);
+    void save_picture();
+
+    PlaySettings settings_;
+    Window window_;
+    std::unique_ptr<gl::Context> context_;
+    App app_;
+    std::optional<Renderer> renderer_;
+    ImguiLayer widgets_;
+    Presenter presenter_;
+    EditorState editor_;
+    RenderScene scene_;
+    Renderer::Result result_;
+    uvec2 picture_size_{0};
+    SliceBudget budget_;
+    FrameMeter meter_;
+    Clock::time_point last_frame_ = Clock::now();
+    Clock::time_point last_reload_ = Clock::now();
+    std::string failure_;  ///< of the last try to render
+    std::filesystem::file_time_type failed_with_{};
+    bool help_ = false;
+    bool save_wanted_ = false;
+    bool recapture_ = false;  ///< the panel freed the mouse and gives it back
+};
+
+}  // namespace sl

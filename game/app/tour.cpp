@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include <CLI/CLI.hpp>
+
+#include "engine/render/capture.h"
+#include "game/app/headless.h"
+#include "game/app/progress.h"
+
+namespace sl {
+
+namespace {
+
+struct TourFlags {
+    std::string size = "640x360";
+    std::string folder = "out";
+    std::string gi = "rsm_disc";
+};
+
+int run_tour(const GlobalFlags& global, const TourFlags& flags) {
+    const uvec2 size = parse_size(flags.size);
+    std::filesystem::create_directories(flags.folder);
+    Headless headless(global);
+    fmt::print("Rendering without a display on {}.\n", headless.context->renderer());
+    for (const char* scene : {"outdoor", "indoor"}) {
+        std::vector<Image> pictures;
+        for (const std::string& gi : {std::string("off"), flags.gi}) {
+            App app = open_scene({.scene = scene, .gi = gi});
+            Progress progress(fmt::format("{}, {}", scene, gi));
+            pictures.push_back(capture(app, headless.renderer,
+                                       {.width = size.x, .height = size.y,
+                                        .on_step = [&](std::size_t step, std::size_t steps, const std::string&) { progress.update(step, steps); }})
+                                   .picture);
+        }
+        const auto path = std::filesystem::path(flags.folder) / fmt::format("{}.png", scene);
+        write_png(path, side_by_side(pictures, 4));
+        fmt::print("{}: left without, right with global illumination ({})\n", std::filesystem::absolute(path).string(), flags.gi);
+    }
+    headless.check_errors();
+    return 0;
+}
+
+}  // namespace
+
+void add_tour_command(CLI::App& cli, const GlobalFlags& global, Command& chosen) {
+    auto flags = std::make_shared<TourFlags>();
+    CLI::App* command = cli.add_subcommand("tour", "Render outdoors and indoors, GI off and on side by side, without a display");
+    command->add_option("--size", flags->size, "WIDTHxHEIGHT in pixels of each picture")->capture_default_str();
+    command->add_option("--folder", flags->folder, "Where the pictures go")->capture_default_str();
+    command->add_option("--gi", flags->gi, "GI method on the right")->capture_default_str();
+    command->callback([&global, &chosen, flags] { chosen = [&global, flags] { return run_tour(global, *flags); }; });
+}
+
+}  // namespace sl

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "game/light_keys.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/core/clock.h"
+#include "engine/core/input.h"
+#include "engine/ecs/components.h"
+#include "engine/ecs/query.h"
+#include "game/notice.h"
+#include "game/session.h"
+
+namespace sl {
+
+namespace {
+
+constexpr float azimuth_speed = 0.8f;    // rad/s
+constexpr float elevation_speed = 0.4f;  // rad/s
+constexpr float exposure_speed = 2.0f;   // EV/s
+
+static_assert(std::is_same_v<std::variant_alternative_t<0, GiMethod>, GiOff>);
+
+void switch_method(World& world, Entity camera, std::size_t to) {
+    auto& keys = world.resource<LightKeys>();
+    if (const auto* now = world.find<GiSettings>(camera)) {
+        keys.kept[now->method.index()] = now->method;
+        if (to == 0) keys.before_off = now->method.index();
+    }
+    const std::string_view name = gi_method_names()[to];
+    const GiMethod method = keys.kept[to] ? *keys.kept[to] : make_gi_method(name);
+    world.add(camera, GiSettings{method});
+    world.resource<Notice>().say(fmt::format("GI: {}\n{}", name, gi_method_claims(method)));
+}
+
+void method_keys(World& world, const Input& input, Entity camera) {
+    const auto* settings = world.find<GiSettings>(camera);
+    const std::size_t now = settings != nullptr ? settings->method.index() : 0;
+    if (input.pressed(Key::g)) {
+        switch_method(world, camera, (now + 1) % std::variant_size_v<GiMethod>);
+    } else if (input.pressed(Key::o)) {
+        const std::size_t before = world.resource<LightKeys>().before_off;
+        const std::size_t usual = GiSettings{}.method.index();
+        switch_method(world, camera, now != 0 ? 0 : before != 0 ? before : usual);
+    }
+}
+
+void exposure_keys(World& world, const Input& input, Entity camera, float seconds) {
+    const float brighter = input.axis(Key::plus, Key::minus);
+    if (brighter == 0.0f) return;
+    auto& settings = world.get<Camera>(camera);
+    settings.ev100 = std::clamp(settings.ev100 - brighter * exposure_speed * seconds, -10.0f, 24.0f);
+    world.resource<Notice>().say(fmt::format("exposure EV {:.1f}", settings.ev100));
+}
+
+void sun_keys(World& world, const Input& input, float seconds) {
+    const float turn = std::clamp(
+        input.axis(Key::right, Key::left) + input.axis(Key::right_bracket, Key::left_bracket), -1.0f, 1.0f);
+    const float rise = input.axis(Key::up, Key::down);
+    if (turn == 0.0f && rise == 0.0f) return;
+    for (auto [entity, sun] : Query<SunAngles>(world)) {
+        sun.azimuth = std::remainder(sun.azimuth + turn * azimuth_speed * seconds, 2.0f * pi);
+        sun.elevation = std::clamp(sun.elevation + rise * elevation_speed * seconds, -0.5f * pi, 0.5f * pi);
+        world.resource<Notice>().say(fmt::format("sun: azimuth {:.0f} deg, elevation {:.0f} deg",
+                                                 glm::degrees(sun.azimuth), glm::degrees(sun.elevation)));
+    }
+}
+
+}  // namespace
+
+void light_keys(World& world) {
+    const auto& input = world.resource<Input>();
+    const auto seconds = static_cast<float>(world.resource<FrameClock>().step);
+    sun_keys(world, input, seconds);
+    const Entity camera = active_camera(world);
+    if (!camera) return;
+    method_keys(world, input, camera);
+    exposure_keys(world, input, camera, seconds);
+}
+
+void add_light_keys(App& app) {
+    add_player_resources(app.world);
+    app.world.add_resource(LightKeys{});
+    app.schedule.add(Stage::input, "light_keys", &light_keys);
+}
+
+}  // namespace sl

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/ecs/app.h"
+#include "engine/ecs/components/gi_settings.h"
+
+namespace sl {
+
+/// Settings of the GI methods that are not in use, so that they are found again; a resource.
+struct LightKeys {
+    std::array<std::optional<GiMethod>, std::variant_size_v<GiMethod>> kept;
+    std::size_t before_off = 0;  ///< method that O brings back; 0, which is off, before the first
+};
+
+/// G goes to the next GI method of the active camera, O turns GI off and on; [ ] and left/right turn every sun, up/down
+/// raise and lower it, + and - brighten and darken the picture.
+void light_keys(World& world);
+
+void add_light_keys(App& app);
+
+}  // namespace sl

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "game/session.h"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "engine/core/clock.h"
+#include "engine/core/error.h"
+#include "engine/core/text_file.h"
+#include "engine/ecs/query.h"
+#include "engine/ecs/scene_file.h"
+#include "engine/ecs/set_field.h"
+#include "game/voxel_content.h"
+
+namespace sl {
+
+namespace {
+
+std::filesystem::path scene_folder() {
+    if (const char* chosen = std::getenv("SECONDLIGHT_SCENES")) return chosen;
+    const std::filesystem::path source = SL_SOURCE_FOLDER "/game/scenes";
+    if (std::filesystem::exists(source)) return source;
+    return std::filesystem::canonical("/proc/self/exe").parent_path() / "scenes";
+}
+
+std::string description_of(const std::filesystem::path& file) {
+    const auto json = nlohmann::json::parse(read_text_file(file, 64u << 20), nullptr, false);
+    return json.is_object() ? json.value("description", std::string()) : std::string();
+}
+
+}  // namespace
+
+std::vector<SceneListing> scene_names() {
+    std::vector<SceneListing> scenes;
+    for (const auto& entry : std::filesystem::directory_iterator(scene_folder())) {
+        if (entry.path().extension() == ".json") scenes.push_back({entry.path().stem().string(), description_of(entry.path())});
+    }
+    std::ranges::sort(scenes, {}, &SceneListing::name);
+    return scenes;
+}
+
+std::filesystem::path scene_path(const std::string& scene) {
+    const bool is_path = scene.find('/') != std::string::npos || scene.ends_with(".json");
+    if (is_path) return scene;
+    std::filesystem::path file = scene_folder() / (scene + ".json");
+    if (std::filesystem::exists(file)) return file;
+    std::vector<std::string> names;
+    for (const SceneListing& listing : scene_names()) names.push_back(listing.name);
+    fail("there is no scene '{}'; choose one of {}, or give the path of a scene file", scene, fmt::join(names, ", "));
+}
+
+Entity active_camera(World& world) {
+    for (auto [entity, camera] : Query<const Camera>(world)) {
+        if (camera.active) return entity;
+    }
+    return {};
+}
+
+void choose_gi(App& app, const std::string& gi) {
+    const std::size_t colon = gi.find(':');
+    const GiSettings settings{make_gi_method(gi.substr(0, colon))};
+    if (const Entity camera = active_camera(app.world)) app.world.add(camera, settings);
+    // All cameras alike, so that a following --set gi.field finds the field on each.
+    for (auto [entity, other] : Query<GiSettings>(app.world)) other = settings;
+    if (colon != std::string::npos) set_field(app.world, app.registry(), fmt::format("gi.preset={}", gi.substr(colon + 1)));
+}
+
+App open_scene(const SceneChoice& choice) {
+    App app;
+    add_voxel_world(app);
+    app.world.add_resource(FrameClock{});
+    read_scene(app.world, app.registry(), scene_path(choice.scene));
+    if (!choice.gi.empty()) choose_gi(app, choice.gi);
+    for (const std::string& assignment : choice.sets) set_field(app.world, app.registry(), assignment);
+    app.schedule.run(app.world);
+    return app;
+}
+
+}  // namespace sl

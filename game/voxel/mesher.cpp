@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#include "game/voxel/mesher.h"
+
+#include <array>
+#include <bit>
+
+namespace sl {
+namespace {
+
+constexpr int n = chunk_size;
+constexpr std::array<int, 3> strides{1, n* n, n};  // of Chunk::index, by axis
+
+/// One of the six ways to look at a block. right x up = normal, so a quad wound right, then up, faces
+/// outward.
+struct Direction {
+    int axis, sign;
+    int right, right_sign;
+    int up, up_sign;
+    BlockFace face;
+};
+constexpr std::array<Direction, 6> directions{{
+    {0, +1, 2, -1, 1, +1, BlockFace::side},
+    {0, -1, 2, +1, 1, +1, BlockFace::side},
+    {1, +1, 0, +1, 2, -1, BlockFace::top},
+    {1, -1, 0, +1, 2, +1, BlockFace::bottom},
+    {2, +1, 0, +1, 1, +1, BlockFace::side},
+    {2, -1, 0, -1, 1, +1, BlockFace::side},
+}};
+
+std::array<bool, 256> make_opaque_table() {
+    std::array<bool, 256> opaque{};
+    for (std::size_t block = 0; block < block_count; ++block) {
+        opaque[block] = block_info(static_cast<Block>(block)).opaque;
+    }
+    return opaque;
+}
+
+/// Opacity along each axis, one word per line of blocks: bit i + 1 is block i; bits 0 and 33 belong to the
+/// neighbours. The line with coordinates (right, up) of the axis' directions is lines[axis][up * n + right].
+struct Occupancy {
+    std::array<std::array<std::uint64_t, n * n>, 3> lines{};
+
+    void mark(int axis, int right, int up, int bit) {
+        lines[static_cast<std::size_t>(axis)][static_cast<std::size_t>(up * n + right)] |= std::uint64_t{1}
+                                                                                           << bit;
+    }
+};
+
+std::size_t cell_index(const Direction& direction, int slice, int right, int up) {
+    return static_cast<std::size_t>(slice * strides[static_cast<std::size_t>(direction.axis)] +
+                                    right * strides[static_cast<std::size_t>(direction.right)] +
+                                    up * strides[static_cast<std::size_t>(direction.up)]);
+}
+
+void gather(const VoxelVolume& volume, ivec3 key, const Chunk& chunk, Occupancy& occupancy) {
+    static const std::array<bool, 256> opaque = make_opaque_table();
+    const auto is_opaque = [](Block block) { return opaque[static_cast<std::size_t>(block)]; };
+    for (int y = 0; y < n; ++y) {
+        for (int z = 0; z < n; ++z) {
+            for (int x = 0; x < n; ++x) {
+                if (!is_opaque(chunk.blocks[Chunk::index(x, y, z)])) continue;
+                occupancy.mark(0, z, y, x + 1);
+                occupancy.mark(1, x, z, y + 1);
+                occupancy.mark(2, x, y, z + 1);
+            }
+        }
+    }
+    for (const Direction& direction : directions) {
+        ivec3 step(0);
+        step[direction.axis] = direction.sign;
+        const Chunk* neighbour = volume.chunk(key + step);
+        if (neighbour == nullptr) continue;
+        const int slice = direction.sign > 0 ? 0 : n - 1;
+        for (int up = 0; up < n; ++up) {
+            for (int right = 0; right < n; ++right) {
+                const Block block = neighbour->blocks[cell_index(direction, slice, right, up)];
+                if (is_opaque(block))
+                    occupancy.mark(direction.axis, right, up, direction.sign > 0 ? n + 1 : 0);
+            }
+        }
+    }
+}
+
+struct Rectangle {
+    int right, up, width, height;
+};
+
+void append_quad(MeshData& mesh, const Direction& direction, int slice, Rectangle area, Block block,
+                 float size) {
+    // An axis that runs against the picture's is walked backwards, so that both start at the quad's lower
+    // left corner.
+    const auto span = [](int low, int length, int sign) {
+        const float first = static_cast<float>(sign > 0 ? low : -(low + length)) - quad_overlap;
+        return vec2(first, first + static_cast<float>(length) + 2.0f * quad_overlap);
+    };
+    const vec2 u = span(area.right, area.width, direction.right_sign);
+    const vec2 v = span(area.up, area.height, direction.up_sign);
+    vec3 normal(0.0f);
+    normal[direction.axis] = static_cast<float>(direction.sign);
+
+    Vertex vertex;
+    vertex.normal = pack_normal(normal);
+    vertex.material = material_index(block, direction.face);
+    const auto base = static_cast<std::uint32_t>(mesh.vertices.size());
+    for (const vec2 corner : {vec2(u[0], v[0]), vec2(u[1], v[0]), vec2(u[1], v[1]), vec2(u[0], v[1])}) {
+        vertex.uv = corner;
+        vertex.position[direction.axis] = static_cast<float>(slice + (direction.sign > 0 ? 1 : 0)) * size;
+        vertex.position[direction.right] = corner.x * static_cast<float>(direction.right_sign) * size;
+        vertex.position[direction.up] = corner.y * static_cast<float>(direction.up_sign) * size;
+        mesh.vertices.push_back(vertex);
+        mesh.bounds.add(vertex.position);
+    }
+    for (const std::uint32_t corner : {0u, 1u, 2u, 0u, 2u, 3u}) mesh.indices.push_back(base + corner);
+}
+
+/// One plane of unit faces: bit `right` of rows[up].
+using Slice = std::array<std::uint32_t, n>;
+
+/// Cuts the plane into rectangles of one kind of block: each starts at the lowest face left over, grows
+/// right, then up.
+template <class Emit>
+void merge(Slice& rows, const Chunk& chunk, const Direction& direction, int slice, Emit&& emit) {
+    const auto block_at = [&](int right, int up) {
+        return chunk.blocks[cell_index(direction, slice, right, up)];
+    };
+    for (int up = 0; up < n; ++up) {
+        while (rows[static_cast<std::size_t>(up)] != 0) {
+            const std::uint32_t row = rows[static_cast<std::size_t>(up)];
+            const int right = std::countr_zero(row);
+            const Block kind = block_at(right, up);
+            int width = 1;
+            while (right + width < n && (row >> (right + width) & 1u) != 0 &&
+                   block_at(right + width, up) == kind) {
+                ++width;
+            }
+            const std::uint32_t run = (width == n ? ~0u : (1u << width) - 1) << right;
+            const auto continues = [&](int above) {
+                if ((rows[static_cast<std::size_t>(above)] & run) != run) return false;
+                for (int i = right; i < right + width; ++i) {
+                    if (block_at(i, above) != kind) return false;
+                }
+                return true;
+            };
+            int height = 1;
+            while (up + height < n && continues(up + height)) ++height;
+            for (int i = up; i < up + height; ++i) rows[static_cast<std::size_t>(i)] &= ~run;
+            emit(Rectangle{right, up, width, height}, kind);
+        }
+    }
+}
+
+}  // namespace
+
+MeshData mesh_chunk(const VoxelVolume& volume, ivec3 chunk_key, MeshStats* stats) {
+    MeshData mesh;
+    const Chunk* chunk = volume.chunk(chunk_key);
+    if (chunk == nullptr) return mesh;
+    Occupancy occupancy;
+    gather(volume, chunk_key, *chunk, occupancy);
+
+    std::size_t visible_faces = 0;
+    for (const Direction& direction : directions) {
+        std::array<Slice, n> slices{};
+        const auto& lines = occupancy.lines[static_cast<std::size_t>(direction.axis)];
+        for (std::size_t line = 0; line < lines.size(); ++line) {
+            const std::uint64_t opaque = lines[line];
+            const std::uint64_t hidden = direction.sign > 0 ? opaque >> 1 : opaque << 1;
+            auto visible = static_cast<std::uint32_t>((opaque & ~hidden) >> 1);
+            visible_faces += static_cast<std::size_t>(std::popcount(visible));
+            for (; visible != 0; visible &= visible - 1) {
+                const auto slice = static_cast<std::size_t>(std::countr_zero(visible));
+                slices[slice][line / n] |= 1u << (line % n);
+            }
+        }
+        for (int slice = 0; slice < n; ++slice) {
+            merge(slices[static_cast<std::size_t>(slice)], *chunk, direction, slice,
+                  [&](Rectangle area, Block kind) {
+                      append_quad(mesh, direction, slice, area, kind, volume.block_size());
+                  });
+        }
+    }
+    if (stats != nullptr) {
+        stats->blocks += chunk->count;
+        stats->naive_faces += 6 * std::size_t{chunk->count};
+        stats->visible_faces += visible_faces;
+        stats->quads += mesh.indices.size() / 6;
+        stats->triangles += mesh.indices.size() / 3;
+    }
+    return mesh;
+}
+
+}  // namespace sl

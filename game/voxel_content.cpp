@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+#include "game/voxel_content.h"
+
+#include "engine/ecs/components.h"
+#include "engine/ecs/parent.h"
+#include "engine/ecs/query.h"
+#include "game/voxel/block_textures.h"
+#include "game/voxel/generators.h"
+#include "game/voxel/raycast.h"
+
+namespace sl {
+
+namespace {
+
+/// Statistics of one chunk's mesh, kept so that totals follow edits.
+struct ChunkMesh {
+    MeshStats stats;
+};
+
+MaterialTable block_material_table() {
+    MaterialTable table;
+    for (const BlockMaterial& block : block_materials()) {
+        Material material;
+        material.base_colour = vec3(1.0f);  // the texture carries the colour
+        material.roughness = block.roughness;
+        material.metallic = block.metallic;
+        // Blocks are matte unless they are metal: their light is then purely diffuse, as an RSM takes it to be.
+        material.specular = 0.0f;
+        material.emission = block.emissive_nit;
+        table.entries.push_back({material, static_cast<std::int32_t>(block.texture_layer)});
+    }
+    return table;
+}
+
+TextureLayers block_texture_layers() {
+    TextureLayers result{.size = 16, .mips = block_texture_levels, .layers = {}, .version = 1};
+    for (const BlockTexture& texture : make_block_textures(1)) {
+        auto& bytes = result.layers.emplace_back();
+        for (const auto& mip : texture.mips) bytes.insert(bytes.end(), mip.begin(), mip.end());
+    }
+    return result;
+}
+
+void drop_chunk(World& world, Entity chunk) {
+    if (const auto* mesh = world.find<MeshInstance>(chunk)) world.resource<MeshPool>().erase(mesh->mesh);
+    world.destroy(chunk);
+}
+
+void drop_content(World& world, VoxelContent& content) {
+    for (const auto& [key, chunk] : content.chunks) drop_chunk(world, chunk);
+    world.resource<VoxelVolumes>().erase(content.volume);
+}
+
+void make_content(World& world, Entity entity, const VoxelGenerator& generator) {
+    if (auto* old = world.find<VoxelContent>(entity)) drop_content(world, *old);
+    VoxelVolume volume(generator.block_size);
+    const GeneratorSettings settings{.seed = generator.seed, .size = ivec3(generator.width, generator.height, generator.depth)};
+    generate(volume, generator_names()[generator.generator], settings);
+    world.add(entity, VoxelContent{.volume = world.resource<VoxelVolumes>().insert(std::move(volume)), .made_by = generator});
+}
+
+void mesh_changed_chunk(World& world, Entity owner, VoxelContent& content, const VoxelVolume& volume, ivec3 key) {
+    const std::array<int, 3> map_key{key.x, key.y, key.z};
+    ChunkMesh built;
+    MeshData mesh = mesh_chunk(volume, key, &built.stats);
+    const auto found = content.chunks.find(map_key);
+    if (mesh.indices.empty()) {
+        if (found != content.chunks.end()) {
+            drop_chunk(world, found->second);
+            content.chunks.erase(found);
+        }
+        return;
+    }
+    auto& pool = world.resource<MeshPool>();
+    if (found == content.chunks.end()) {
+        const Transform place{.translation = dvec3(chunk_low(key)) * double{volume.block_size()}};
+        content.chunks[map_key] = world.create(place, Parent{owner}, MeshInstance{pool.insert(std::move(mesh)), 0}, built);
+        return;
+    }
+    MeshData& old = pool.at(world.get<MeshInstance>(found->second).mesh);
+    mesh.version = old.version + 1;
+    old = std::move(mesh);
+    world.get<ChunkMesh>(found->second) = built;
+}
+
+void drop_orphans(World& world) {
+    // An entity that lost its generator, or was destroyed, leaves chunks behind.
+    std::vector<Entity> orphans;
+    for (auto [entity, chunk, parent] : Query<const ChunkMesh, const Parent>(world)) {
+        if (!world.alive(parent.entity) || !world.has<VoxelGenerator>(parent.entity)) orphans.push_back(entity);
+    }
+    for (const Entity orphan : orphans) drop_chunk(world, orphan);
+}
+
+void count_stats(World& world, std::size_t remeshed) {
+    VoxelStats stats;
+    stats.remeshed = remeshed;
+    for (auto [entity, chunk] : Query<const ChunkMesh>(world)) {
+        ++stats.chunks;
+        stats.total.blocks += chunk.stats.blocks;
+        stats.total.naive_faces += chunk.stats.naive_faces;
+        stats.total.visible_faces += chunk.stats.visible_faces;
+        stats.total.quads += chunk.stats.quads;
+        stats.total.triangles += chunk.stats.triangles;
+    }
+    world.resource<VoxelStats>() = stats;
+}
+
+}  // namespace
+
+void visit_fields(FieldVisitor& visit, VoxelGenerator& generator) {
+    visit.choice("generator", generator.generator, generator_names(), {.help = "What fills the blocks."});
+    visit.field("seed", generator.seed, {.help = "Another seed, another world of the same kind."});
+    visit.field("block_size", generator.block_size,
+                {.min = 1e-4, .max = 1e3, .unit = "m", .help = "Edge of a block.", .look = FieldLook::logarithmic});
+    const FieldInfo extent{.min = 1, .max = 256, .unit = "blocks", .help = "Extent, for generators that have one (rooms, terrain)."};
+    visit.field("width", generator.width, extent);
+    visit.field("height", generator.height, extent);
+    visit.field("depth", generator.depth, extent);
+}
+
+void voxel_content(World& world) {
+    std::vector<std::pair<Entity, VoxelGenerator>> missing;
+    for (auto [entity, generator] : Query<const VoxelGenerator>(world)) {
+        const auto* content = world.find<VoxelContent>(entity);
+        if (content == nullptr || !(content->made_by == generator)) missing.emplace_back(entity, generator);
+    }
+    for (const auto& [entity, generator] : missing) make_content(world, entity, generator);
+
+    std::size_t remeshed = 0;
+    std::vector<Entity> owners;
+    for (auto [entity, content] : Query<const VoxelContent>(world)) owners.push_back(entity);
+    for (const Entity owner : owners) {
+        auto& content = world.get<VoxelContent>(owner);
+        VoxelVolume& volume = world.resource<VoxelVolumes>().at(content.volume);
+        for (const ivec3 key : volume.take_changed_chunks()) {
+            mesh_changed_chunk(world, owner, content, volume, key);
+            ++remeshed;
+        }
+    }
+    drop_orphans(world);
+    if (remeshed > 0 || !missing.empty()) {
+        count_stats(world, remeshed);
+    } else {
+        world.resource<VoxelStats>().remeshed = 0;
+    }
+}
+
+void add_voxel_world(App& app) {
+    app.registry().add<VoxelGenerator>("voxels");
+    app.world.add_resource(VoxelVolumes{});
+    app.world.add_resource(VoxelStats{});
+    app.world.add_resource(block_material_table());
+    app.world.add_resource(block_texture_layers());
+    app.schedule.add(Stage::simulate, "voxel_content", &voxel_content);
+}
+
+std::optional<BlockPick> pick_block(World& world, const dvec3& origin, vec3 direction, float max_distance) {
+    std::optional<BlockPick> nearest;
+    float reach = max_distance;
+    for (auto [entity, content, transform] : Query<const VoxelContent, const WorldTransform>(world)) {
+        const mat3 local_from_world = glm::inverse(transform.linear);
+        const vec3 local_origin = local_from_world * vec3(origin - transform.origin);
+        const vec3 local_direction = local_from_world * direction;
+        const float scale = glm::length(local_direction) / glm::length(direction);
+        if (!(scale > 0.0f) || !std::isfinite(scale)) continue;
+        const auto hit = raycast(world.resource<VoxelVolumes>().at(content.volume), local_origin, local_direction, reach * scale);
+        if (!hit) continue;
+        reach = hit->distance / scale;
+        nearest = BlockPick{entity, hit->cell, hit->normal};
+    }
+    return nearest;
+}
+
+void set_block(World& world, Entity entity, ivec3 cell, Block block) {
+    const auto* content = world.find<VoxelContent>(entity);
+    if (content != nullptr) world.resource<VoxelVolumes>().at(content->volume).set(cell, block);
+}
+
+}  // namespace sl

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Reading the G-buffer back: what a full-screen pass knows of its pixel.
+#include "shared/brdf.h"
+#include "shared/frame.h"
+#include "shared/octahedral.h"
+
+layout(std140) uniform Frame { FrameParams frame; };
+uniform sampler2D depth;
+uniform sampler2D normal;
+
+struct Point {
+    vec3 position;
+    vec3 normal;
+    float distance;  // along the view axis; negative where there is no surface
+};
+
+Point point_at(ivec2 pixel) {
+    Point point;
+    float d = texelFetch(depth, pixel, 0).r;
+    vec2 pixel_ndc = (vec2(pixel) + 0.5) / vec2(frame.ray_right.w, frame.ray_up.w) * 2.0 - 1.0;
+    point.distance = d > 0.0 ? view_distance(d, frame.camera_position.w) : -1.0;
+    point.position = frame.camera_position.xyz + view_ray(frame, pixel_ndc) * max(point.distance, 0.0);
+    point.normal = octahedral_decode(texelFetch(normal, pixel, 0).rg * 2.0 - 1.0);
+    return point;
+}

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "shared/constants.h"
+
+SHARED_BEGIN
+
+/// One light. Units as in glTF's KHR_lights_punctual: lux for directional, candela for spot and point.
+struct LightParams {
+    mat4 map_clip_from_world;  ///< projection of its shadow map and RSM
+    vec4 position;             ///< xyz: m; w: range, m, 0 = without end
+    vec4 direction;            ///< xyz: unit vector in which light travels; w: texel of the shadow map (m for directional, tangent for spot)
+    vec4 intensity;            ///< rgb: lux or candela; w: area (m²) or plane area at distance 1 of the whole map
+    vec4 cone;                 ///< x: scale, y: offset of the glTF cone falloff
+    uvec4 kind;                ///< x: light_*; y: shadow layer; z: RSM layer; w: unused
+};
+
+/// glTF's smooth edge of a spot's cone: 1 inside the inner, 0 outside the outer half angle.
+SHARED_FN float cone_falloff(vec4 cone, float cos_angle) {
+    float ramp = clamp(cos_angle * cone.x + cone.y, 0.0f, 1.0f);
+    return ramp * ramp;
+}
+
+/// glTF's window that ends a light at its range; 1 without a range.
+SHARED_FN float range_window(float distance_squared, float range) {
+    if (range <= 0.0f) { return 1.0f; }
+    float ratio = distance_squared / (range * range);
+    return clamp(1.0f - ratio * ratio, 0.0f, 1.0f);
+}
+
+/// Light arriving at a point: from where, and how much on a surface facing it.
+struct Incident {
+    vec4 to_light;    ///< xyz: unit vector; w: distance, m
+    vec4 irradiance;  ///< rgb: lux on a surface facing the light
+};
+
+SHARED_FN Incident incident_light(LightParams light, vec3 position) {
+    Incident result;
+    if (light.kind.x == light_directional) {
+        result.to_light = vec4(-vec3(light.direction), 1e30f);
+        result.irradiance = vec4(vec3(light.intensity), 0.0f);
+        return result;
+    }
+    vec3 offset = vec3(light.position) - position;
+    // A point inside the light itself gets a finite answer; 1e-18 keeps 1/d² inside float.
+    float distance_squared = max(dot(offset, offset), 1e-18f);
+    float distance = sqrt(distance_squared);
+    vec3 to_light = offset / distance;
+    float falloff = range_window(distance_squared, light.position.w) / distance_squared;
+    if (light.kind.x == light_spot) { falloff *= cone_falloff(light.cone, -dot(to_light, vec3(light.direction))); }
+    result.to_light = vec4(to_light, distance);
+    result.irradiance = vec4(vec3(light.intensity) * falloff, 0.0f);
+    return result;
+}
+
+SHARED_END

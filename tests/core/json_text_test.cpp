@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "engine/core/json_text.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/core/every_field.h"
+
+namespace sl {
+namespace {
+
+using nlohmann::ordered_json;
+
+std::string error_for(std::string_view text) {
+    return error_of([&] { parse_json(text, "x.json"); });
+}
+
+TEST(JsonText, ErrorsNameLineAndColumn) {
+    EXPECT_EQ(error_for("{\n  \"a\": 1,\n  b\n}"),
+              "x.json:3:3: syntax error while parsing object key - invalid literal; last read: '1,<U+000A>  b'; "
+              "expected string "
+              "literal");
+    EXPECT_TRUE(error_for("").starts_with("x.json:1:1: ")) << error_for("");
+    EXPECT_TRUE(error_for("[1, 2").starts_with("x.json:1:6: ")) << error_for("[1, 2");
+    EXPECT_EQ(error_for("[1,\n 1e999]"), "x.json:2:2: number overflow parsing '1e999'");
+}
+
+TEST(JsonText, RefusesRepeatedKeys) {
+    EXPECT_EQ(error_for(R"({"a": {"b": 1, "b": 2}})"), "x.json: an object has the key 'b' twice");
+    EXPECT_EQ(error_for(R"([{"a": 1}, {"a": {"a": 1}}])"), "");
+}
+
+TEST(JsonText, RefusesDeepNesting) {
+    const auto nested = [](std::size_t depth) { return std::string(depth, '[') + std::string(depth, ']'); };
+    EXPECT_EQ(error_for(nested(64)), "");
+    EXPECT_EQ(error_for(nested(65)), "x.json:1:65: nested deeper than 64 levels");
+    EXPECT_EQ(error_for(std::string(10'000'000, '[')), "x.json:1:65: nested deeper than 64 levels");
+    const std::string brackets(100, '[');
+    EXPECT_EQ(error_for(fmt::format(R"("{}\"{}")", brackets, brackets)), "");
+}
+
+TEST(JsonText, MessagesStayOnOneShortLine) {
+    const std::string message = error_for(fmt::format("{{\"{}", std::string(1'000'000, '\x01')));
+    EXPECT_LT(message.size(), 400u);
+    EXPECT_EQ(message.find('\n'), std::string::npos);
+}
+
+TEST(JsonText, WritesSmallThingsOnOneLine) {
+    const ordered_json value = {{"z", 1}, {"list", {{{"name", "ü"}, {"at", {1.0, 0.5}}}, {{"name", "b"}}}}};
+    EXPECT_EQ(json_text(value), R"({
+  "z": 1,
+  "list": [
+    {"name": "ü", "at": [1.0, 0.5]},
+    {"name": "b"}
+  ]
+}
+)");
+    EXPECT_EQ(json_text(ordered_json::array()), "[]\n");
+    EXPECT_EQ(json_text(ordered_json::object()), "{}\n");
+}
+
+TEST(JsonText, LongThingsAreBroken) {
+    ordered_json value = ordered_json::array();
+    for (int i = 0; i < 60; ++i) value.push_back(i);
+    EXPECT_TRUE(json_text(value).starts_with("[\n  0,\n  1,")) << json_text(value);
+    EXPECT_EQ(ordered_json::parse(json_text(value)), value);
+}
+
+TEST(JsonText, BrokenUtf8IsReplaced) {
+    EXPECT_EQ(json_text(ordered_json("a\xff")), "\"a\xef\xbf\xbd\"\n");
+}
+
+}  // namespace
+}  // namespace sl
