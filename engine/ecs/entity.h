@@ -16,7 +16,6 @@ struct Entity {
 
     /// Whether this is a name at all; ask World::alive whether it still names something.
     explicit operator bool() const { return index != no_index; }
-    bool operator==(const Entity&) const = default;
     auto operator<=>(const Entity&) const = default;
 };
 

@@ -101,7 +101,7 @@ double Play::step_clock() {
 }
 
 void Play::window_keys(Input& input) {
-    if (input.down(Key::control) && input.pressed(Key::q)) window_.request_close();
+    if (input.active(Key::control) && input.pressed(Key::q)) window_.request_close();
     if (input.pressed(Key::f11)) window_.toggle_fullscreen();
     if (input.pressed(Key::f12)) save_wanted_ = true;
     if (input.pressed(Key::h) && !ImguiLayer::has_keyboard()) help_ = !help_;

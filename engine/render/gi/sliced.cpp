@@ -11,6 +11,8 @@ namespace {
 
 /// About half a second of a two-core software rasterizer: pixels × texels in one draw.
 constexpr double samples_per_slice = 8e7;
+/// Mesa's software rasterizer ends every shader loop after 65,535 rounds, silently.
+constexpr std::uint32_t texels_per_slice = 32768;
 
 std::uint64_t work_key(const FrameInput& frame, const Rsm& rsm, const SlicedSum& sum) {
     FrameParams still = frame.params;
@@ -30,7 +32,8 @@ void add_inputs(PassBuilder& pass, const FrameInput& frame, const GBuffer& gbuff
 GiResult sliced_sum(const FrameInput& frame, const GBuffer& gbuffer, const Rsm& rsm, const SlicedSum& sum) {
     FrameGraph& graph = frame.graph;
     const double samples = double(frame.width) * frame.height * sum.texels;
-    const auto slices = std::clamp(static_cast<std::uint32_t>(samples / samples_per_slice) + 1, 1u, std::max(sum.texels, 1u));
+    const std::uint32_t slices = std::clamp(static_cast<std::uint32_t>(samples / samples_per_slice) + 1,
+                                            sum.texels / texels_per_slice + 1, std::max(sum.texels, 1u));
 
     const std::string partial_name = fmt::format("{}_partial", sum.name);
     ImageId partial = graph.persistent(partial_name, frame.screen(Format::rgba32f));

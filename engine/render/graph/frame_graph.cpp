@@ -128,7 +128,12 @@ void FrameGraph::check_current(ResourceId id, int pass, const char* verb) const 
     const std::string_view who = pass >= 0 ? std::string_view(passes_[static_cast<std::size_t>(pass)].name) : "the caller";
     CHECK(id.index < resources_.size(), "pass '{}': no such image or buffer", who);
     const ResourceRecord& record = resources_[id.index];
-    if (id.version == record.version) return;
+    if (id.version == record.version) {
+        const int maker = record.writers[id.version];
+        CHECK(pass < 0 || maker < pass, "pass '{}': '{}' is made by pass '{}', which was added later; ask for it first", who,
+              record.name, passes_[static_cast<std::size_t>(maker)].name);
+        return;
+    }
     const int writer = record.writers[id.version + 1];
     CHECK(false, "pass '{}': version {} of '{}' {}, but pass '{}' has written it since; use the handle which that returned",
           who, id.version, record.name, verb, writer >= 0 ? passes_[static_cast<std::size_t>(writer)].name : "?");

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+// Closed forms: a plate lit evenly by parallel light is a uniform Lambertian emitter of radiosity B = ρE, and a receiver
+// sees it under a form factor that is known exactly (Siegel & Howell, view factors from a differential element).
+#include <cmath>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "tests/support/gl_test.h"
+#include "tests/support/scene_builder.h"
+
+namespace sl {
+namespace {
+
+constexpr float albedo = 0.5f, illuminance = 1000.0f;
+
+/// Receiver parallel to a rectangle a × b at distance c, below one of its corners.
+double parallel_corner(double a, double b, double c) {
+    const double x = a / c, y = b / c, rx = std::sqrt(1 + x * x), ry = std::sqrt(1 + y * y);
+    return (x / rx * std::atan(y / rx) + y / ry * std::atan(x / ry)) / (2 * M_PI);
+}
+
+/// The same below any point: four corners with signs.
+double parallel(double left, double right, double near, double far, double c) {
+    const auto corner = [&](double a, double b) { return std::copysign(1.0, a) * std::copysign(1.0, b) * parallel_corner(std::abs(a), std::abs(b), c); };
+    return corner(right, far) - corner(left, far) - corner(right, near) + corner(left, near);
+}
+
+/// Receiver facing along a wall's foot: height a, width b starting opposite the receiver, distance c.
+double perpendicular_half(double a, double b, double c) {
+    const double x = a / b, y = c / b, r = std::sqrt(x * x + y * y);
+    return (std::atan(1 / y) - y / r * std::atan(1 / r)) / (2 * M_PI);
+}
+
+double perpendicular(double left, double right, double height, double c) {
+    const auto half = [&](double b) { return std::copysign(1.0, b) * perpendicular_half(height, std::abs(b), c); };
+    return half(right) - half(left);
+}
+
+RenderScene::Light sun(vec3 direction) {
+    return {.kind = RenderScene::Light::Kind::directional, .direction = glm::normalize(direction), .intensity = vec3(illuminance),
+            .bounces = true, .shadow_size = 512, .shadow_distance = 100.0f};
+}
+
+struct Errors {
+    double worst = 0.0, mean = 0.0;
+    int count = 0;
+};
+
+/// Relative errors of a field against a closed form, over pixels where `expected` is not negative.
+template <class Expected>
+Errors errors_against(const IrradianceField& field, Expected&& expected) {
+    Errors errors;
+    for (std::size_t i = 0; i < field.position.size(); ++i) {
+        const double truth = field.surface[i] ? expected(field.position[i]) : -1.0;
+        if (truth < 0.0) continue;
+        const double error = std::abs(field.irradiance[i].y - truth) / truth;
+        errors.worst = std::max(errors.worst, error);
+        errors.mean += error;
+        ++errors.count;
+    }
+    errors.mean /= std::max(errors.count, 1);
+    return errors;
+}
+
+class Plates : public GlTest {
+  protected:
+    /// A wall in the plane z = 0, x from -0.5 to 0.5, y from 0 to 1, facing +z, with a black floor at its foot.
+    void corner_scene(SceneBuilder& builder, float scale) {
+        builder.add({Shape::Kind::quad, vec3(scale)}, glm::rotate(glm::translate(mat4(1.0f), vec3(0, 0.5f * scale, 0)), glm::half_pi<float>(), vec3(1, 0, 0)),
+                    vec3(albedo));
+        builder.add({Shape::Kind::quad, vec3(scale, 0, 2 * scale)}, mat4(1.0f), vec3(0.0f));
+        builder.add(sun(vec3(0, 0, -1)));
+        builder.use(RsmExact{.rsm_size = 512});
+    }
+    Errors corner_errors(SceneBuilder& builder, float scale, float nearest, float farthest) {
+        const IrradianceField field = render_irradiance(*renderer, builder.scene(), 12, 12);
+        return errors_against(field, [&](vec3 p) {
+            const bool wanted = p.y < 1e-3f * scale && p.z > nearest && p.z < farthest && std::abs(p.x) < 0.4f * scale;
+            return wanted ? albedo * illuminance * perpendicular(-0.5 * scale - p.x, 0.5 * scale - p.x, scale, p.z) : -1.0;
+        });
+    }
+};
+
+TEST_F(Plates, ParallelRectangle) {
+    SceneBuilder builder;
+    builder.add({Shape::Kind::quad, vec3(1)}, glm::rotate(glm::translate(mat4(1.0f), vec3(0, 0.5f, 0)), glm::pi<float>(), vec3(1, 0, 0)), vec3(albedo));
+    builder.add({Shape::Kind::quad, vec3(1)}, mat4(1.0f), vec3(0.0f));
+    // One-sided quads: light from below passes the floor and meets the plate's lower face.
+    builder.add(sun(vec3(0, 1, 0)));
+    builder.look(vec3(0, 0.45f, 0), vec3(0, -1, 0), vec3(0, 0, -1), 1.6f);
+    builder.use(RsmExact{.rsm_size = 512});
+    const Errors errors = errors_against(render_irradiance(*renderer, builder.scene(), 12, 12), [&](vec3 p) {
+        return albedo * illuminance * parallel(-0.5 - p.x, 0.5 - p.x, -0.5 - p.z, 0.5 - p.z, 0.5 - p.y);
+    });
+    EXPECT_GT(errors.count, 100);
+    EXPECT_LT(errors.worst, 0.005);
+}
+
+TEST_F(Plates, DiscOnItsAxis) {
+    SceneBuilder builder;
+    builder.add({Shape::Kind::disc, vec3(1, 0, 1)}, glm::rotate(glm::translate(mat4(1.0f), vec3(0, 0.3f, 0)), glm::pi<float>(), vec3(1, 0, 0)), vec3(albedo));
+    builder.add({Shape::Kind::quad, vec3(1)}, mat4(1.0f), vec3(0.0f));
+    builder.add(sun(vec3(0, 1, 0)));
+    builder.look(vec3(0, 0.25f, 0), vec3(0, -1, 0), vec3(0, 0, -1), 0.01f);
+    builder.use(RsmExact{.rsm_size = 512});
+    const double truth = albedo * illuminance * 0.25 / (0.25 + 0.09);
+    const Errors errors = errors_against(render_irradiance(*renderer, builder.scene(), 3, 3), [&](vec3) { return truth; });
+    EXPECT_EQ(errors.count, 9);
+    EXPECT_LT(errors.worst, 0.005) << "the mesh is a polygon of 64 corners, 0.16 % smaller than the disc";
+}
+
+TEST_F(Plates, PerpendicularWallFromMidRoom) {
+    SceneBuilder builder;
+    corner_scene(builder, 1.0f);
+    builder.look(vec3(0, 0.9f, 0.5f), vec3(0, -1, 0), vec3(0, 0, -1), 0.9f);
+    const Errors errors = corner_errors(builder, 1.0f, 0.08f, 1.0f);
+    EXPECT_GT(errors.count, 100);
+    EXPECT_LT(errors.worst, 0.005);
+}
+
+TEST_F(Plates, PerpendicularWallDownToTheCorner) {
+    SceneBuilder builder;
+    corner_scene(builder, 1.0f);
+    // From 0.5 mm to 2 cm before the wall: a quarter of a texel to ten texels of the 512² map.
+    builder.look(vec3(0.013f, 0.02f, 0.0101f), vec3(0, -1, 0), vec3(0, 0, -1), 0.9f);
+    const Errors errors = corner_errors(builder, 1.0f, 0.0004f, 0.02f);
+    EXPECT_GT(errors.count, 100);
+    EXPECT_LT(errors.worst, 0.005);
+}
+
+TEST_F(Plates, SpotLightFluxIsRightOffTheAxis) {
+    // A spot light on a plate: total reflected flux is ρ times what arrives, ∫ I cos³θ / h² dA over the plate.
+    SceneBuilder builder;
+    builder.add({Shape::Kind::quad, vec3(2)}, mat4(1.0f), vec3(albedo));
+    builder.add({.kind = RenderScene::Light::Kind::spot, .position = vec3(0, 1, 0), .direction = vec3(0, -1, 0), .intensity = vec3(100.0f),
+                 .inner_cone = 1.2f, .outer_cone = 1.2f, .bounces = true, .shadow_size = 512});
+    builder.look(vec3(0, 3, 0), vec3(0, -1, 0), vec3(0, 0, -1), 1.0f);
+    builder.use(RsmExact{.rsm_size = 512});
+    (void)renderer->render(builder.scene(), {.width = 4, .height = 4, .wanted = {"rsm_flux"}});
+    const Image flux = renderer->read(renderer->find_image("rsm_flux"), 0);
+    double total = 0.0;
+    for (std::size_t i = 0; i < flux.data.size(); i += 4) total += flux.data[i + 1];
+    // From a point at height h over its centre a square of side 2h covers a sixth of the sphere.
+    EXPECT_NEAR(total, albedo * 100.0 * 4.0 * M_PI / 6.0, 0.005 * albedo * 100.0 * 4.0 * M_PI / 6.0);
+}
+
+TEST_F(Plates, ScaleDoesNotMatter) {
+    for (const float scale : {1e-3f, 1.0f, 1e3f}) {
+        SceneBuilder builder;
+        corner_scene(builder, scale);
+        for (auto& light : builder.scene().lights) light.shadow_distance = 100.0f * scale;
+        builder.look(vec3(0, 0.9f, 0.5f) * scale, vec3(0, -1, 0), vec3(0, 0, -1), 0.9f);
+        builder.scene().view->near = 1e-3f * scale;
+        EXPECT_LT(corner_errors(builder, scale, 0.08f * scale, scale).worst, 0.005) << "scale " << scale;
+    }
+}
+
+}  // namespace
+}  // namespace sl
