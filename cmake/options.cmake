@@ -6,7 +6,7 @@ target_compile_features(sl_options INTERFACE cxx_std_20)
 target_include_directories(sl_options INTERFACE ${CMAKE_SOURCE_DIR} ${CMAKE_SOURCE_DIR}/shader)
 # Designated initialisers leave the rest at its default on purpose; g++ 12 sees overlaps in every "a" + std::string(b).
 target_compile_options(sl_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
-                                            -Wno-missing-field-initializers -Wno-restrict
+                                            -Wno-missing-field-initializers $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
                                             $<$<BOOL:${SL_WERROR}>:-Werror>)
 # Fused multiply-add would make two compilers' pictures differ; the engine's figures must not depend on it.
 target_compile_options(sl_options INTERFACE -ffp-contract=off)
@@ -21,12 +21,13 @@ endif()
 target_link_libraries(sl_options INTERFACE glm::glm fmt::fmt spdlog::spdlog)
 target_compile_definitions(sl_options INTERFACE GLM_FORCE_DEPTH_ZERO_TO_ONE GLM_ENABLE_EXPERIMENTAL)
 
-# sl_library(NAME [folders...] LINK libs...): a static library of every .cpp directly in the given folders.
+# sl_library(NAME [folders...] LINK libs...): a static library of every .cpp directly in the given folders, main.cpp apart.
 function(sl_library name)
     cmake_parse_arguments(ARG "" "" "FOLDERS;LINK" ${ARGN})
     set(sources)
     foreach(folder ${ARG_FOLDERS})
         file(GLOB found CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp)
+        list(FILTER found EXCLUDE REGEX "/main\\.cpp$")
         list(APPEND sources ${found})
     endforeach()
     if(sources)

@@ -117,11 +117,9 @@ struct Window::Callbacks {
     }
     static void pointer(GLFWwindow* window, double x, double y) {
         Window& self = of(window);
-        if (self.pointer_known_ && self.events_.mouse_captured) {
-            self.events_.mouse_delta += vec2(x - self.pointer_[0], y - self.pointer_[1]);
-        }
-        self.pointer_ = {x, y};
-        self.pointer_known_ = true;
+        const glm::dvec2 now(x, y);
+        if (self.events_.mouse_captured) self.events_.mouse_delta += vec2(now - self.pointer_);
+        self.pointer_ = now;
     }
     static void scroll(GLFWwindow* window, double, double y) { of(window).events_.scroll += static_cast<float>(y); }
     static void focus(GLFWwindow* window, int focused) {
@@ -205,9 +203,10 @@ float Window::content_scale() const {
 
 void Window::capture_mouse(bool captured) {
     if (captured == events_.mouse_captured) return;
-    events_.mouse_captured = captured;
-    pointer_known_ = false;
     glfwSetInputMode(window_, GLFW_CURSOR, captured ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
+    // Where the pointer jumps now is no movement.
+    glfwGetCursorPos(window_, &pointer_.x, &pointer_.y);
+    events_.mouse_captured = captured;
 }
 
 void Window::toggle_fullscreen() {
@@ -225,7 +224,6 @@ void Window::toggle_fullscreen() {
         glfwGetWindowSize(window_, &windowed_size_.x, &windowed_size_.y);
         glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
     }
-    pointer_known_ = false;
     set_vsync(vsync_);  // some systems forget it
 }
 

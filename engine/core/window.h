@@ -56,8 +56,7 @@ class Window {
 
     GLFWwindow* window_ = nullptr;
     Input events_;  ///< gathered by callbacks until the next poll
-    std::array<double, 2> pointer_{};
-    bool pointer_known_ = false;  ///< a jump of the pointer, as at capture, is no movement
+    glm::dvec2 pointer_{0.0};
     bool vsync_ = true;
     ivec2 windowed_place_{0}, windowed_size_{0};
 };

@@ -170,11 +170,13 @@ class Query {
     void walk_aligned(F& visit, Stretch stretch, const PoolIndex& leader, std::index_sequence<I...>) const {
         const std::tuple arrays{values<I>()...};
         const Entity* entities = leader.entities().data();
-        for (std::uint32_t i = stretch.first; i < stretch.last; ++i) {
+        const std::size_t last = stretch.last;
+        for (std::size_t i = stretch.first; i < last; ++i) {
             if constexpr (only_required) {
                 call(visit, entities[i], Term<I>::item(std::get<I>(arrays), i)...);
             } else {
-                const Positions at{(Term<I>::required ? i : look_up<I>(entities[i]))...};
+                const Positions at{
+                    (Term<I>::required ? static_cast<std::uint32_t>(i) : look_up<I>(entities[i]))...};
                 if (!(admits<I>(at[I]) && ...)) continue;
                 call(visit, entities[i], Term<I>::item(std::get<I>(arrays), at[I])...);
             }

@@ -36,19 +36,19 @@ struct QueryTermBase {
 /// value.
 template <class T>
 struct QueryTerm : QueryTermBase<T, TermKind::value> {
-    static std::tuple<T&> item(T* values, std::uint32_t position) { return {values[position]}; }
+    static std::tuple<T&> item(T* values, std::size_t position) { return {values[position]}; }
 };
 template <class T>
 struct QueryTerm<With<T>> : QueryTermBase<const T, TermKind::with> {
-    static std::tuple<> item(const T*, std::uint32_t) { return {}; }
+    static std::tuple<> item(const T*, std::size_t) { return {}; }
 };
 template <class T>
 struct QueryTerm<Without<T>> : QueryTermBase<const T, TermKind::without> {
-    static std::tuple<> item(const T*, std::uint32_t) { return {}; }
+    static std::tuple<> item(const T*, std::size_t) { return {}; }
 };
 template <class T>
 struct QueryTerm<Maybe<T>> : QueryTermBase<T, TermKind::maybe> {
-    static std::tuple<T*> item(T* values, std::uint32_t position) {
+    static std::tuple<T*> item(T* values, std::size_t position) {
         return {position == PoolIndex::none ? nullptr : values + position};
     }
 };

@@ -34,6 +34,9 @@ class Renderer {
     /// Throws Error when `wanted` names an image that this frame does not have, listing those it has.
     Result render(const RenderScene& scene, const Request& request);
 
+    /// Forgets what persistent images hold: the next frame draws everything anew.
+    void forget() { states_.clear(); }
+
     /// One layer of an image of the last frame as an Image, top row first.
     Image read(ImageId image, std::uint32_t layer = 0) const;
     /// The image of that name in the last frame; none when there is none.

@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/core/field_list.h"
 #include "game/block_tool.h"
@@ -15,10 +16,9 @@ namespace sl {
 
 namespace {
 
-constexpr ImGuiWindowFlags untouchable = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
-                                         ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing |
-                                         ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_AlwaysAutoResize;
-const ImVec4 warning_colour(1.0f, 0.55f, 0.35f, 1.0f);
+constexpr ImU32 plain = IM_COL32(255, 255, 255, 255);
+constexpr ImU32 faint = IM_COL32(255, 255, 255, 140);
+constexpr ImU32 alarming = IM_COL32(255, 150, 90, 255);
 
 constexpr const char* keys_text =
     "click         capture the mouse, then:\n"
@@ -39,14 +39,37 @@ constexpr const char* keys_text =
     "Escape        free the mouse\n"
     "Ctrl+Q        quit";
 
-/// A window of text with its pivot (0 to 1 of its own size) at a point of the screen.
-template <class Draw>
-void text_window(const char* name, ImVec2 point, ImVec2 pivot, Draw draw) {
-    ImGui::SetNextWindowPos(point, ImGuiCond_Always, pivot);
-    ImGui::SetNextWindowBgAlpha(0.45f);
-    if (ImGui::Begin(name, nullptr, untouchable)) draw();
-    ImGui::End();
-}
+/// Lines on a dark ground, with their pivot (0 to 1 of their own size) at a point of the screen. Not an ImGui window:
+/// those learn the size of what is in them a frame too late, which shows where a frame takes a second.
+class TextBox {
+  public:
+    void line(const std::string& text, ImU32 colour = plain) { lines_.push_back({text, colour}); }
+
+    void draw(ImVec2 point, ImVec2 pivot, int darkness = 115) const {
+        const float gap = ImGui::GetFontSize() * 0.5f;
+        ImVec2 size(0, 0);
+        for (const auto& [text, colour] : lines_) {
+            const ImVec2 extent = ImGui::CalcTextSize(text.c_str());
+            size = ImVec2(std::max(size.x, extent.x), size.y + extent.y);
+        }
+        const ImVec2 outer(size.x + 2 * gap, size.y + 2 * gap);
+        ImVec2 at(std::round(point.x - pivot.x * outer.x), std::round(point.y - pivot.y * outer.y));
+        ImDrawList& list = *ImGui::GetBackgroundDrawList();
+        list.AddRectFilled(at, ImVec2(at.x + outer.x, at.y + outer.y), IM_COL32(0, 0, 0, darkness), gap * 0.5f);
+        at = ImVec2(at.x + gap, at.y + gap);
+        for (const auto& [text, colour] : lines_) {
+            list.AddText(at, colour, text.c_str());
+            at.y += ImGui::CalcTextSize(text.c_str()).y;
+        }
+    }
+
+  private:
+    struct Line {
+        std::string text;
+        ImU32 colour;
+    };
+    std::vector<Line> lines_;
+};
 
 /// "rsm_grid: paper-artefact", "off", or "none" where the camera has no settings.
 std::string method_text(World& world) {
@@ -60,21 +83,21 @@ std::string method_text(World& world) {
     return text;
 }
 
-void status_text(App& app, const HudInput& input) {
+TextBox status(App& app, const HudInput& input) {
+    TextBox box;
     const double ms = input.frame_ms;
-    ImGui::Text("GI %s", method_text(app.world).c_str());
-    ImGui::Text("frame %.1f ms  %.0f fps", ms, ms > 0.0 ? 1000.0 / ms : 0.0);
-    ImGui::Text("GI    %.2f ms", input.gi_ms);
-    ImGui::Text("triangles %llu drawn, %llu culled", static_cast<unsigned long long>(input.frame.triangles_drawn),
-                static_cast<unsigned long long>(input.frame.triangles_culled));
+    box.line(fmt::format("GI {}", method_text(app.world)));
+    box.line(fmt::format("frame {:.1f} ms  {:.0f} fps", ms, ms > 0.0 ? 1000.0 / ms : 0.0));
+    box.line(fmt::format("GI    {:.2f} ms", input.gi_ms));
+    box.line(fmt::format("triangles {} drawn, {} culled", input.frame.triangles_drawn, input.frame.triangles_culled));
     if (input.frame.drawn && input.frame.images.gi_progress < 1.0f) {
-        ImGui::Text("GI %.0f %% done", 100.0 * double{input.frame.images.gi_progress});
+        box.line(fmt::format("GI {:.1f} % done", 100.0f * input.frame.images.gi_progress));
     }
-    if (app.world.find_resource<VoxelStats>() != nullptr && app.world.resource<VoxelStats>().chunks > 0) {
-        const std::string_view held = block_info(app.world.resource<BlockTool>().held).name;
-        ImGui::Text("block %.*s", static_cast<int>(held.size()), held.data());
+    if (app.world.resource<VoxelStats>().chunks > 0) {
+        box.line(fmt::format("block {}", block_info(app.world.resource<BlockTool>().held).name));
     }
-    ImGui::TextDisabled(input.mouse_captured ? "F1 panel  H help" : "click to look round  F1 panel  H help");
+    box.line(input.mouse_captured ? "F1 panel  H help" : "click to look round  F1 panel  H help", faint);
+    return box;
 }
 
 void crosshair(ImVec2 centre) {
@@ -86,10 +109,10 @@ void crosshair(ImVec2 centre) {
     }
 }
 
-void warn(const std::string& text) {
-    ImGui::PushStyleColor(ImGuiCol_Text, warning_colour);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopStyleColor();
+void message(const std::string& text, ImVec2 point, ImU32 colour, int darkness = 115) {
+    TextBox box;
+    box.line(text, colour);
+    box.draw(point, ImVec2(0.5f, 0.5f), darkness);
 }
 
 }  // namespace
@@ -106,28 +129,26 @@ void draw_hud(App& app, const HudInput& input) {
     const ImGuiViewport& screen = *ImGui::GetMainViewport();
     const float gap = ImGui::GetFontSize() * 0.6f;
     const ImVec2 centre = screen.GetCenter();
-    text_window("status", ImVec2(gap, gap), ImVec2(0, 0), [&] { status_text(app, input); });
+    status(app, input).draw(ImVec2(gap, gap), ImVec2(0, 0));
     if (!input.failure.empty()) {
-        text_window("failure", centre, ImVec2(0.5f, 0.5f), [&] { warn(input.failure); });
+        message(input.failure, centre, alarming);
     } else if (!input.frame.drawn) {
-        text_window("failure", centre, ImVec2(0.5f, 0.5f), [] {
-            warn("This scene has no active camera, so there is nothing to see.\n"
-                 "Press F1 and tick \"active\" on a camera, or add one to an entity.");
-        });
+        message("This scene has no active camera, so there is nothing to see.\n"
+                "Press F1 and tick \"active\" on a camera, or add one to an entity.",
+                centre, alarming);
     } else {
         crosshair(centre);
     }
     if (!input.shader_errors.empty()) {
-        text_window("shaders", ImVec2(gap, screen.Size.y - gap), ImVec2(0, 1), [&] {
-            warn("A shader is broken; the last good one is in use.");
-            for (const std::string& error : input.shader_errors) warn(error);
-        });
+        TextBox box;
+        box.line("A shader is broken; the last good one is in use.", alarming);
+        for (const std::string& error : input.shader_errors) box.line(error, alarming);
+        box.draw(ImVec2(gap, screen.Size.y - gap), ImVec2(0, 1), 190);
     }
     if (const auto& notice = app.world.resource<Notice>(); notice.seconds_left > 0.0) {
-        text_window("notice", ImVec2(centre.x, screen.Size.y * 0.8f), ImVec2(0.5f, 0.5f),
-                    [&] { ImGui::TextUnformatted(notice.text.c_str()); });
+        message(notice.text, ImVec2(centre.x, screen.Size.y * 0.8f), plain);
     }
-    if (input.help) text_window("help", centre, ImVec2(0.5f, 0.5f), [] { ImGui::TextUnformatted(keys_text); });
+    if (input.help) message(keys_text, centre, plain, 190);
 }
 
 }  // namespace sl

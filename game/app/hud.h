@@ -36,7 +36,7 @@ struct HudInput {
 /// Milliseconds of the passes that exist only for indirect light.
 double gi_milliseconds(std::span<const std::pair<std::string, double>> passes);
 
-/// Text at the top left, crosshair, notice, and, when asked, the list of keys. Widgets that take no input.
+/// Text at the top left, crosshair, notice, and, when asked, the list of keys; behind all widgets.
 void draw_hud(App& app, const HudInput& input);
 
 }  // namespace sl

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Gathering a receiver's light from a disc of RSM texels round its own projection (Dachsbacher & Stamminger 2005).
+#include "lib/rsm_texel.glsl"
 #include "shared/lights.h"
 #include "shared/rsm.h"
 #include "shared/view.h"
 
 layout(std140) uniform Gather { RsmGatherParams gather; };
 layout(std430) readonly buffer Lights { LightParams lights[]; };
-layout(std430) readonly buffer Texels { RsmTexel texels[]; };
+layout(std430) readonly buffer Texels { RsmPackedTexel texels[]; };
 
 float pixel_turn(ivec2 pixel) {
     uint h = uint(pixel.x) * 0x9e3779b1u ^ uint(pixel.y) * 0x85ebca77u;
@@ -37,11 +38,13 @@ vec3 gather_layer(LightParams light, uint layer, Point point, ivec2 pixel, uint 
         arm = golden_turn * arm;
         bool inside = all(greaterThanEqual(at, vec2(0.0))) && all(lessThan(at, vec2(size)));
         ivec2 cell = clamp(ivec2(at), ivec2(0), ivec2(size) - 1);
-        RsmTexel texel = texels[first + uint(cell.y) * uint(size) + uint(cell.x)];
-        float weight = inside ? weight_scale * xi : 0.0;
-        sum += texel_irradiance(texel.flux.rgb, texel.position.xyz, texel.normal.xyz, texel.position.w, point.position, point.normal) * weight;
+        RsmPackedTexel texel = texels[first + uint(cell.y) * uint(size) + uint(cell.x)];
+        float area = uintBitsToFloat(texel.light.z);
+        vec3 flux = vec3(unpackHalf2x16(texel.light.x), unpackHalf2x16(texel.light.y).x) * area;
+        float weight = inside ? xi : 0.0;
+        sum += texel_irradiance(flux, texel.position.xyz, unpack_texel_normal(texel.position.w), area, point.position, point.normal) * weight;
     }
-    return sum;
+    return sum * (weight_scale * packed_radiosity_unit);
 }
 
 // All layers' light at a point; no samples, no light.
@@ -49,7 +52,7 @@ vec3 gather_disc(Point point, ivec2 pixel, uint samples) {
     vec3 sum = vec3(0.0);
     for (uint i = 0u; i < frame.counts.x; ++i) {
         LightParams light = lights[i];
-        if (light.kind.z != no_layer) { sum += gather_layer(light, light.kind.z, point, pixel, samples); }
+        sum += gather_layer(light, light.kind.z, point, pixel, light.kind.z != no_layer ? samples : 0u);
     }
     return sum * gather.map.z;
 }

@@ -16,19 +16,24 @@ float shadow_tent(sampler2DArrayShadow map, vec3 uv_depth, uint layer) {
     return 0.25 * lit;
 }
 
-float shadow_visibility(LightParams light, Incident incident, vec3 position, vec3 normal) {
-    if (light.kind.y == no_layer) { return 1.0; }
-    bool parallel = light.kind.x == light_directional;
-    // A texel's footprint on a tilted surface spans a depth range; stepping off along the normal by the filter's reach
-    // clears it, more where the light grazes.
+// Where a point lies in its light's map, moved off the surface. A texel's footprint on a tilted surface spans a depth
+// range; stepping off along the normal by the filter's reach clears it, more where the light grazes.
+vec4 shadow_coordinate(LightParams light, Incident incident, vec3 position, vec3 normal, float texel) {
     float cos_light = clamp(dot(normal, incident.to_light.xyz), 0.0, 1.0);
     float sin_light = sqrt(1.0 - cos_light * cos_light);
-    float texel = light.direction.w * (parallel ? 1.0 : incident.to_light.w);
     vec3 shifted = position + normal * texel * (0.3 + 2.0 * sin_light) + incident.to_light.xyz * texel * 0.5;
     vec4 clip = light.map_clip_from_world * vec4(shifted, 1.0);
-    if (clip.w <= 0.0) { return 0.0; }
-    vec3 uv_depth = clip.xyz / clip.w;
-    uv_depth.xy = uv_depth.xy * 0.5 + 0.5;
-    // Outside its map a sun is taken as unblocked; a spot shines nowhere there.
-    return parallel ? shadow_tent(shadow_sun, uv_depth, light.kind.y) : shadow_tent(shadow_spot, uv_depth, light.kind.y);
+    return vec4(clip.xyz / max(clip.w, 1e-20) * vec3(0.5, 0.5, 1.0) + vec3(0.5, 0.5, 0.0), clip.w);
+}
+
+// Outside its map a sun is taken as unblocked.
+float sun_visibility(LightParams light, Incident incident, vec3 position, vec3 normal) {
+    vec4 at = shadow_coordinate(light, incident, position, normal, light.direction.w);
+    return light.kind.y == no_layer ? 1.0 : shadow_tent(shadow_sun, at.xyz, light.kind.y);
+}
+
+float spot_visibility(LightParams light, Incident incident, vec3 position, vec3 normal) {
+    vec4 at = shadow_coordinate(light, incident, position, normal, light.direction.w * incident.to_light.w);
+    if (at.w <= 0.0) { return 0.0; }
+    return light.kind.y == no_layer ? 1.0 : shadow_tent(shadow_spot, at.xyz, light.kind.y);
 }

@@ -10,7 +10,9 @@ const float least_contrast = 0.06;
 
 float luma(vec2 at) { return textureLod(ldr, at, 0.0).a; }
 
-// Distance in pixels to where the edge's mean luma leaves its band, walking by `step`; negative: the side it ended on.
+float neighbour_luma(ivec2 pixel) { return texelFetch(ldr, clamp(pixel, ivec2(0), textureSize(ldr, 0) - 1), 0).a; }
+
+// Distance in pixels to where the edge's mean luma leaves its band, walking by `step`; and by how much it then differs.
 vec2 edge_end(vec2 at, vec2 step, float edge_luma, float band) {
     float walked = 0.0;
     float difference = 0.0;
@@ -25,11 +27,12 @@ vec2 edge_end(vec2 at, vec2 step, float edge_luma, float band) {
 void main() {
     vec2 texel = 1.0 / vec2(textureSize(ldr, 0));
     vec2 at = gl_FragCoord.xy * texel;
-    vec4 centre = textureLod(ldr, at, 0.0);
-    float north = luma(at + vec2(0, texel.y));
-    float south = luma(at - vec2(0, texel.y));
-    float east = luma(at + vec2(texel.x, 0));
-    float west = luma(at - vec2(texel.x, 0));
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    vec4 centre = texelFetch(ldr, pixel, 0);
+    float north = neighbour_luma(pixel + ivec2(0, 1));
+    float south = neighbour_luma(pixel - ivec2(0, 1));
+    float east = neighbour_luma(pixel + ivec2(1, 0));
+    float west = neighbour_luma(pixel - ivec2(1, 0));
     float lowest = min(centre.a, min(min(north, south), min(east, west)));
     float highest = max(centre.a, max(max(north, south), max(east, west)));
     float contrast = highest - lowest;

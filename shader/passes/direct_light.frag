@@ -20,12 +20,23 @@ void main() {
     surface.specular = vec4(layers.z);
     vec3 to_eye = normalize(frame.camera_position.xyz - point.position);
     vec3 radiance = texelFetch(emission, pixel, 0).rgb;
-    uint count = point.distance > 0.0 ? frame.counts.x : 0u;
-    for (uint i = 0u; i < count; ++i) {
+    bool there = point.distance > 0.0;
+    // One loop per kind of light: a software rasterizer runs both sides of every branch, but no empty loop.
+    for (uint i = 0u; i < (there ? frame.counts.z : 0u); ++i) {
         LightParams light = lights[i];
         Incident incident = incident_light(light, point.position);
-        float visible = shadow_visibility(light, incident, point.position, point.normal);
-        radiance += incident.irradiance.rgb * visible * reflected(surface, incident.to_light.xyz, to_eye);
+        radiance += incident.irradiance.rgb * sun_visibility(light, incident, point.position, point.normal) *
+                    reflected(surface, incident.to_light.xyz, to_eye);
     }
-    direct = vec4(point.distance > 0.0 ? radiance : vec3(0.0), 1.0);
+    for (uint i = frame.counts.z; i < (there ? frame.counts.w : 0u); ++i) {
+        LightParams light = lights[i];
+        Incident incident = incident_light(light, point.position);
+        radiance += incident.irradiance.rgb * spot_visibility(light, incident, point.position, point.normal) *
+                    reflected(surface, incident.to_light.xyz, to_eye);
+    }
+    for (uint i = frame.counts.w; i < (there ? frame.counts.x : 0u); ++i) {
+        Incident incident = incident_light(lights[i], point.position);
+        radiance += incident.irradiance.rgb * reflected(surface, incident.to_light.xyz, to_eye);
+    }
+    direct = vec4(there ? radiance : vec3(0.0), 1.0);
 }

@@ -16,9 +16,12 @@ struct Surface {
 SHARED_FN vec3 diffuse_albedo(Surface surface) { return vec3(surface.base_colour) * (1.0f - surface.normal.w); }
 
 /// Trowbridge-Reitz distribution times height-correlated Smith visibility (Heitz 2014); alpha = roughness².
-SHARED_FN float ggx_specular(float alpha, float n_dot_h, float n_dot_l, float n_dot_v) {
+SHARED_FN float ggx_specular(float alpha, vec3 normal, vec3 halfway, float n_dot_l, float n_dot_v) {
     float a2 = alpha * alpha;
-    float spread = n_dot_h * n_dot_h * (a2 - 1.0f) + 1.0f;
+    // sin² from the cross product: 1 - cos² would lose all its digits near the peak of a smooth surface.
+    vec3 sine = cross(normal, halfway);
+    float n_dot_h = dot(normal, halfway);
+    float spread = dot(sine, sine) + a2 * n_dot_h * n_dot_h;
     float distribution = a2 / (shared_pi * spread * spread);
     float light_side = n_dot_v * sqrt(n_dot_l * n_dot_l * (1.0f - a2) + a2);
     float view_side = n_dot_l * sqrt(n_dot_v * n_dot_v * (1.0f - a2) + a2);
@@ -40,9 +43,10 @@ SHARED_FN vec3 reflected(Surface surface, vec3 to_light, vec3 to_eye) {
     float v_dot_h = clamp(dot(to_eye, halfway), 0.0f, 1.0f);
     float alpha = max(surface.base_colour.w * surface.base_colour.w, 1e-3f);
     vec3 f0 = mix(vec3(0.04f * specular), vec3(surface.base_colour), metallic);
-    float grazing = pow(1.0f - v_dot_h, 5.0f);
+    float away = 1.0f - v_dot_h;
+    float grazing = away * away * away * away * away;
     vec3 fresnel = f0 + (vec3(specular) - f0) * grazing;
-    float lobe = ggx_specular(alpha, clamp(dot(normal, halfway), 0.0f, 1.0f), n_dot_l, n_dot_v);
+    float lobe = ggx_specular(alpha, normal, halfway, n_dot_l, n_dot_v);
     return (diffuse * (vec3(1.0f) - fresnel) + fresnel * lobe) * n_dot_l;
 }
 

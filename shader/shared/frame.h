@@ -13,7 +13,7 @@ struct FrameParams {
     vec4 ray_right;        ///< xyz: to the right edge at distance 1; w: width, pixels
     vec4 ray_up;           ///< xyz: to the upper edge at distance 1; w: height, pixels
     vec4 sky;              ///< rgb: radiance, nit; w: unused
-    uvec4 counts;          ///< x: lights; y: frame index; z: bouncing lights; w: unused
+    uvec4 counts;          ///< x: lights; y: frame index; z: directional lights; w: directional and spot lights. In this order.
 };
 
 /// Distance along the view axis of a reversed, infinite depth; the background (0) is infinitely far.

@@ -12,6 +12,14 @@ struct RsmTexel {
     vec4 flux;      ///< rgb: reflected flux, lumen; w: unused
 };
 
+/// The same in 32 bytes, for gathers in random order, which pay for each word: radiosity (lux, a sixteenth of it, so that
+/// 10⁶ lux fit) as half floats. Radiosity, unlike flux, does not change with the scale of the scene.
+struct RsmPackedTexel {
+    vec4 position;  ///< xyz: m; w: packed normal (lib/rsm_texel.glsl)
+    uvec4 light;    ///< x: radiosity r, g; y: radiosity b; z: patch area, m², as float bits; w: unused
+};
+const float packed_radiosity_unit = 16.0f;
+
 /// Irradiance at a receiver from one texel, seen as a Lambertian disc of its patch's area (no occlusion):
 /// E = (Φ/π) cos θ_p cos θ_x / (d² + A/π). Exact on the disc's axis, bounded everywhere, free of any length to guess.
 SHARED_FN vec3 texel_irradiance(vec3 flux, vec3 texel_position, vec3 texel_normal, float area, vec3 position, vec3 normal) {

@@ -43,6 +43,7 @@ const std::vector<SharedStruct>& shared_structs() {
           MEMBER(LightParams, cone), MEMBER(LightParams, kind)}},
         {"Incident", "lights", sizeof(Incident), {MEMBER(Incident, to_light), MEMBER(Incident, irradiance)}},
         {"Surface", "brdf", sizeof(Surface), {MEMBER(Surface, base_colour), MEMBER(Surface, normal), MEMBER(Surface, specular)}},
+        {"RsmPackedTexel", "rsm", sizeof(RsmPackedTexel), {MEMBER(RsmPackedTexel, position), MEMBER(RsmPackedTexel, light)}},
         {"RsmTexel", "rsm", sizeof(RsmTexel), {MEMBER(RsmTexel, position), MEMBER(RsmTexel, normal), MEMBER(RsmTexel, flux)}},
     };
     return all;

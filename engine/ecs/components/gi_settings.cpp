@@ -84,7 +84,7 @@ void visit_fields(FieldVisitor& visit, RsmGrid& grid) {
 void visit_fields(FieldVisitor& visit, RsmDisc& disc) {
     visit.field("rsm_size", disc.rsm_size, rsm_size_info);
     visit.field("samples", disc.samples,
-                {.min = 0, .max = 4096, .help = "Texels read per gathering pixel and light; more lowers noise and costs in proportion."});
+                {.min = 0, .max = 4096, .help = "Texels read per gathering pixel, shared by all lights; more lowers noise and costs in proportion."});
     visit.field("radius", disc.radius,
                 {.min = 0, .max = 1.5, .unit = "map side",
                  .help = "Radius of the sampled disc round the receiver's projection; less is sharper nearby and misses far light."});

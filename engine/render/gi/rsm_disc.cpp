@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "engine/render/gi/sliced.h"
+#include <algorithm>
+
+#include "engine/render/gi/gi.h"
+#include "shared/rsm.h"
+#include "shared/view.h"
 
 namespace sl {
 
@@ -21,6 +25,13 @@ struct Gather {
             .read("normal", gbuffer.normal);
     }
 };
+
+BufferId packed_texels(const FrameInput& frame, const Rsm& maps) {
+    const std::uint32_t texels = maps.size * maps.size * maps.layers;
+    auto pass = frame.graph.compute("rsm_disc_texels", "gi/rsm_disc_texels.comp");
+    pass.read("rsm_position", maps.position).read("rsm_flux", maps.flux).dispatch((texels + 63) / 64);
+    return pass.write_storage("Texels", frame.graph.create_buffer("rsm_disc_texels", texels * sizeof(RsmPackedTexel)));
+}
 
 ImageId gather_everywhere(const Gather& gather) {
     auto pass = gather.frame.graph.fullscreen("rsm_disc", "gi/rsm_disc.frag");
@@ -71,10 +82,11 @@ ImageId refine(const Gather& gather, const Filled& filled) {
 GiResult indirect_light(const FrameInput& frame, const GBuffer& gbuffer, const RsmDisc& settings) {
     const Rsm maps = rsm(frame, settings.rsm_size);
     if (maps.layers == 0 || settings.samples == 0) return {.irradiance = frame.graph.black()};
-    Gather gather{.frame = frame, .gbuffer = gbuffer, .texels = texel_array(frame, maps)};
+    Gather gather{.frame = frame, .gbuffer = gbuffer, .texels = packed_texels(frame, maps)};
     gather.params.map = vec4(settings.rsm_size, maps.layers, settings.strength, 1.0f);
     const std::uint32_t spacing = settings.interpolate ? settings.low_resolution : 1;
-    gather.params.disc = vec4(settings.samples, settings.radius, settings.rotate ? 1 : 0, spacing);
+    // All lights share the samples: another light makes each noisier, not the frame slower.
+    gather.params.disc = vec4(std::max(settings.samples / maps.layers, 1u), settings.radius, settings.rotate ? 1 : 0, spacing);
     gather.params.tolerance = vec4(settings.position_tolerance, settings.normal_tolerance, 0, 0);
     if (!settings.interpolate) return {.irradiance = gather_everywhere(gather)};
     return {.irradiance = refine(gather, fill(gather, gather_low(gather, spacing)))};

@@ -1,7 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "engine/render/gi/sliced.h"
+#include "shared/rsm.h"
 
 namespace sl {
+
+namespace {
+
+/// All texels of all layers as one array, layer after layer, so that every pixel walks the same memory in order.
+BufferId texel_array(const FrameInput& frame, const Rsm& rsm) {
+    const std::uint32_t texels = rsm.size * rsm.size * rsm.layers;
+    auto pass = frame.graph.compute("rsm_texels", "gi/rsm_texels.comp");
+    pass.read("rsm_position", rsm.position).read("rsm_flux", rsm.flux).dispatch((texels + 63) / 64);
+    return pass.write_storage("Texels", frame.graph.create_buffer("rsm_texels", texels * sizeof(RsmTexel)));
+}
+
+}  // namespace
 
 GiResult indirect_light(const FrameInput& frame, const GBuffer& gbuffer, const RsmExact& settings) {
     const Rsm maps = rsm(frame, settings.rsm_size);

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "shared/rsm.h"
-
 namespace sl {
 
 namespace {
@@ -66,13 +64,6 @@ GiResult sliced_sum(const FrameInput& frame, const GBuffer& gbuffer, const Rsm& 
     pass.read("partial", partial);
     result.irradiance = pass.write("irradiance", result.irradiance, Load::discard);
     return result;
-}
-
-BufferId texel_array(const FrameInput& frame, const Rsm& rsm) {
-    const std::uint32_t texels = rsm.size * rsm.size * rsm.layers;
-    auto pass = frame.graph.compute("rsm_texels", "gi/rsm_texels.comp");
-    pass.read("rsm_position", rsm.position).read("rsm_flux", rsm.flux).dispatch((texels + 63) / 64);
-    return pass.write_storage("Texels", frame.graph.create_buffer("rsm_texels", texels * sizeof(RsmTexel)));
 }
 
 }  // namespace sl

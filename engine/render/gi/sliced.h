@@ -25,7 +25,4 @@ struct SlicedSum {
 /// Adds the passes. When nothing changed and all slices are done, none.
 GiResult sliced_sum(const FrameInput& frame, const GBuffer& gbuffer, const Rsm& rsm, const SlicedSum& sum);
 
-/// All texels of all layers as one array of RsmTexel, layer after layer, row after row.
-BufferId texel_array(const FrameInput& frame, const Rsm& rsm);
-
 }  // namespace sl

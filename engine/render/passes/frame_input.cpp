@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/render/passes/frame_input.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace sl {
@@ -17,7 +18,12 @@ FrameParams frame_params(const RenderScene& scene, std::uint32_t width, std::uin
     params.ray_right = vec4(vec3(look[0][0], look[1][0], look[2][0]) * tangent * aspect, static_cast<float>(width));
     params.ray_up = vec4(vec3(look[0][1], look[1][1], look[2][1]) * tangent, static_cast<float>(height));
     params.sky = vec4(scene.sky_radiance, 0.0f);
-    params.counts = uvec4(static_cast<std::uint32_t>(scene.lights.size()), frame_index, 0, 0);
+    const auto count = [&](auto... kinds) {
+        return static_cast<std::uint32_t>(std::ranges::count_if(scene.lights, [&](const auto& light) { return ((light.kind == kinds) || ...); }));
+    };
+    using Kind = RenderScene::Light::Kind;
+    params.counts = uvec4(static_cast<std::uint32_t>(scene.lights.size()), frame_index, count(Kind::directional),
+                          count(Kind::directional, Kind::spot));
     return params;
 }
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "engine/render/scene/light_map.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include "engine/core/check.h"
 
 namespace sl {
 
@@ -99,6 +102,7 @@ LightMap fit_light_map(const RenderScene& scene, const Light& light) {
 }
 
 LightTable build_light_table(const RenderScene& scene) {
+    CHECK(std::ranges::is_sorted(scene.lights, {}, &Light::kind), "lights must stand in the order of their kinds");
     LightTable table;
     for (std::uint32_t i = 0; i < scene.lights.size(); ++i) {
         const Light& light = scene.lights[i];

@@ -52,7 +52,7 @@ struct RenderScene {
     dvec3 origin{0.0};
     std::optional<View> view;  ///< none: there is nothing to draw from
     std::vector<Draw> draws;
-    std::vector<Light> lights;
+    std::vector<Light> lights;  ///< directional first, then spots, then points
     std::vector<MaterialEntry> materials;
     std::uint64_t materials_hash = 0;
     vec3 sky_radiance{0.0f};  ///< nit

@@ -1,0 +1,280 @@
+# SPDX-License-Identifier: MIT
+"""Opens the game's window under Xvfb, plays it with xdotool and compares screenshots.
+
+window_test.py PROGRAM FOLDER: screenshots and logs stay in FOLDER. Exits with 77 where a tool is missing.
+"""
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import time
+
+PATIENCE = 90.0  # s; a software rasterizer on a busy machine is slow
+
+
+def run(*command, env=None, timeout=60):
+    return subprocess.run(command, env=env, timeout=timeout, capture_output=True, text=True)
+
+
+def check(condition, sentence):
+    if not condition:
+        raise AssertionError(sentence)
+    print(f"  {sentence}: yes", flush=True)
+
+
+class Screen:
+    """A display of its own."""
+
+    def __init__(self):
+        reader, writer = os.pipe()
+        self.server = subprocess.Popen(
+            ["Xvfb", "-displayfd", str(writer), "-screen", "0", "1024x640x24", "-nolisten", "tcp"],
+            pass_fds=[writer], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        os.close(writer)
+        with os.fdopen(reader) as numbers:
+            number = numbers.readline().strip()
+        if not number:
+            raise RuntimeError("Xvfb does not start")
+        self.env = {**os.environ, "DISPLAY": f":{number}", "LIBGL_ALWAYS_SOFTWARE": "1"}
+        self.env.pop("WAYLAND_DISPLAY", None)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.server.terminate()
+        self.server.wait()
+
+
+class Game:
+    """A running game; `part` of a screenshot is WIDTHxHEIGHT+LEFT+TOP."""
+
+    def __init__(self, screen, program, folder, scene, *flags):
+        self.env, self.folder, self.scene, self.shots = screen.env, folder / scene, scene, 0
+        shutil.rmtree(self.folder, ignore_errors=True)
+        self.folder.mkdir(parents=True)
+        self.log_path = self.folder / "log.txt"
+        with open(self.log_path, "w") as log:
+            self.process = subprocess.Popen([program, "play", "--scene", scene, "--no-vsync", *flags],
+                                            cwd=self.folder, env=self.env, stdout=log, stderr=log)
+        self.window = self.wait("a window opens", self.find_window)
+        self.xdotool("windowfocus", self.window)
+
+    def find_window(self):
+        found = run("xdotool", "search", "--onlyvisible", "--name", "^Secondlight", env=self.env).stdout.split()
+        return found[0] if found else None
+
+    def xdotool(self, *words):
+        done = run("xdotool", *words, env=self.env)
+        if done.returncode != 0:
+            raise AssertionError(f"xdotool {' '.join(words)}: {done.stderr.strip()}")
+        return done.stdout
+
+    def wait(self, sentence, condition, patience=PATIENCE):
+        end = time.monotonic() + patience
+        while True:
+            value = condition()
+            if value:
+                print(f"  {sentence}: yes", flush=True)
+                return value
+            if self.process.poll() is not None:
+                raise AssertionError(f"the game ended with {self.process.returncode} while waiting for: {sentence}\n"
+                                     + self.log())
+            if time.monotonic() > end:
+                raise AssertionError(f"{sentence}: not within {patience:.0f} s; see {self.folder}")
+            time.sleep(0.2)
+
+    def shot(self, name):
+        self.shots += 1
+        path = str(self.folder / f"{self.shots:02}_{name}.png")
+        done = run("import", "-silent", "-window", "root", path, env=self.env)
+        if done.returncode != 0:
+            raise AssertionError(f"import: {done.stderr.strip()}")
+        return path
+
+    def shot_when(self, name, sentence, condition):
+        """The first screenshot that satisfies the condition; the ones before it are not kept."""
+        def attempt():
+            path = self.shot(name)
+            if condition(path):
+                return path
+            self.shots -= 1
+            return None
+        return self.wait(sentence, attempt)
+
+    def settled_shot(self, name, part):
+        """A screenshot taken when nothing moves any more: texts fade and frames are late."""
+        previous = self.shot(name)
+
+        def attempt():
+            nonlocal previous
+            time.sleep(0.7)
+            self.shots -= 1
+            latest = self.shot(name + "_")
+            same = difference(previous, latest, part) == 0.0
+            os.replace(latest, previous)
+            return previous if same else None
+        return self.wait(f"'{name}' stands still", attempt)
+
+    def quit(self):
+        self.xdotool("windowfocus", self.window)
+        self.xdotool("key", "ctrl+q")
+        code = self.process.wait(PATIENCE)
+        log = self.log()
+        check(code == 0, f"Ctrl+Q ends '{self.scene}' with code 0 (got {code}; {log.strip()[-300:]})")
+        bad = [line for line in log.splitlines() if "error" in line.lower()]
+        check(not bad, f"its log has no errors {bad}")
+
+    def log(self):
+        return self.log_path.read_text()
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        if self.process.poll() is None:
+            self.process.kill()
+            self.process.wait()
+
+
+def brightness(path, part):
+    """Mean grey of a part of a picture, 0 to 1."""
+    out = run("convert", path, "-crop", part, "+repage", "-colorspace", "Gray", "-format", "%[fx:mean]", "info:")
+    return float(out.stdout)
+
+
+def difference(one, other, part):
+    """Root mean square difference of a part of two pictures, 0 to 1."""
+    out = run("compare", "-metric", "RMSE", "-extract", part, one, other, "null:").stderr
+    return float(out[out.index("(") + 1:out.index(")")])
+
+
+def size_of(path):
+    return run("identify", "-format", "%wx%h", str(path)).stdout
+
+
+def play_cornell(screen, program, folder):
+    print("cornell: pictures, panel, keys, sizes", flush=True)
+    picture, panel = "330x230+300+60", "200x300+430+30"
+    with Game(screen, program, folder, "cornell", "--size", "640x360") as game:
+        game.shot_when("start", "the picture is not black", lambda p: brightness(p, picture) > 0.02)
+        lit = game.settled_shot("lit", picture)
+
+        game.xdotool("key", "F1")
+        game.shot_when("panel", "F1 shows the panel", lambda p: difference(lit, p, panel) > 0.1)
+        game.xdotool("key", "F1")
+        game.shot_when("panel_closed", "F1 hides it", lambda p: difference(lit, p, panel) < 0.01)
+        game.xdotool("key", "h")
+        game.shot_when("help", "H shows the keys", lambda p: difference(lit, p, "300x200+180+80") > 0.05)
+        game.xdotool("key", "h")
+
+        game.xdotool("key", "o")
+        game.shot_when("gi_off", "O darkens the picture",
+                       lambda p: brightness(p, picture) < 0.9 * brightness(lit, picture))
+        game.xdotool("key", "o")
+        game.shot_when("gi_on", "O brings the light back", lambda p: difference(lit, p, picture) < 0.01)
+        for step in range(4):
+            game.xdotool("key", "g")
+            time.sleep(1.0)
+            game.shot(f"method_{step}")
+        game.shot_when("methods_round", "four times G comes back to the first method",
+                       lambda p: difference(lit, p, picture) < 0.01)
+
+        game.xdotool("key", "F12")
+        saved = game.folder / "out" / "play_0001.png"
+        game.wait("F12 saves a picture", lambda: saved.exists() and size_of(saved) == "640x360")
+
+        below = "300x60+150+385"
+        game.xdotool("windowsize", game.window, "820", "460")
+        game.shot_when("larger", "a larger window is filled", lambda p: brightness(p, below) > 0.01)
+        for width, height in ((1, 1), (333, 77), (640, 360)):
+            game.xdotool("windowsize", game.window, str(width), str(height))
+            time.sleep(0.5)
+        game.shot_when("first_size", "the first size gives the first picture",
+                       lambda p: difference(lit, p, picture) < 0.01)
+
+        game.xdotool("windowunmap", game.window)
+        game.shot_when("hidden", "the window is gone", lambda p: brightness(p, picture) == 0.0)
+        game.xdotool("windowmap", game.window)
+        game.shot_when("shown_again", "it comes back", lambda p: difference(lit, p, picture) < 0.01)
+
+        game.xdotool("windowfocus", game.window)
+        game.xdotool("key", "F11")
+        game.wait("F11 fills the screen",
+                  lambda: "1024x640" in game.xdotool("getwindowgeometry", game.window))
+        game.shot_when("fullscreen", "with a picture", lambda p: brightness(p, "200x200+700+300") > 0.01)
+        game.xdotool("key", "F11")
+        game.wait("F11 gives the window back",
+                  lambda: "640x360" in game.xdotool("getwindowgeometry", game.window))
+        game.shot_when("windowed", "with its picture", lambda p: difference(lit, p, picture) < 0.01)
+        game.quit()
+
+
+def play_outdoor(screen, program, folder):
+    print("outdoor: mouse and blocks", flush=True)
+    picture, middle = "230x200+245+60", "80x80+200+95"
+    with Game(screen, program, folder, "outdoor", "--size", "480x270") as game:
+        game.shot_when("start", "the picture is not black", lambda p: brightness(p, picture) > 0.05)
+        game.xdotool("mousemove", "240", "135", "click", "1")
+        time.sleep(2.0)
+        for _ in range(7):  # the pointer cannot leave the window, and is put back to its middle at each frame
+            game.xdotool("mousemove_relative", "--", "0", "60")
+            time.sleep(0.6)
+        ground = game.settled_shot("ground", middle)
+
+        game.xdotool("click", "1")
+        game.shot_when("broken", "left click breaks a block", lambda p: difference(ground, p, middle) > 0.02)
+        hole = game.settled_shot("hole", middle)
+        game.xdotool("key", "8")
+        game.xdotool("click", "3")
+        game.shot_when("placed", "right click places a block", lambda p: difference(hole, p, middle) > 0.02)
+        glowing = game.settled_shot("block", middle)
+
+        game.xdotool("keydown", "w")
+        time.sleep(0.7)
+        game.xdotool("keyup", "w")
+        game.shot_when("moved", "W moves the camera", lambda p: difference(glowing, p, picture) > 0.02)
+        before_sun = game.settled_shot("before_sun", picture)
+        game.xdotool("keydown", "bracketright")
+        time.sleep(1.5)
+        game.xdotool("keyup", "bracketright")
+        game.shot_when("sun", "] turns the sun", lambda p: difference(before_sun, p, picture) > 0.005)
+
+        # Hidden while the mouse is captured: the window loses the focus and must let the mouse go.
+        game.xdotool("windowunmap", game.window)
+        time.sleep(1.0)
+        game.xdotool("windowmap", game.window)
+        game.xdotool("windowfocus", game.window)
+        time.sleep(1.0)
+        still = game.settled_shot("free", picture)
+        game.xdotool("mousemove_relative", "--", "60", "-30")
+        time.sleep(1.5)
+        check(difference(still, game.shot("free_moved"), picture) < 0.005, "without focus the mouse is let go")
+        game.quit()
+
+
+def refuse(screen, program):
+    print("no window to be had", flush=True)
+    blind = {key: value for key, value in screen.env.items() if key != "DISPLAY"}
+    done = run(program, "play", env=blind)
+    check(done.returncode == 1 and "tour" in done.stderr, f"without a display play says what to do ({done.stderr.strip()})")
+    done = run(program, "--context", "egl", "play", env=screen.env)
+    check(done.returncode == 1 and "window" in done.stderr, f"nor does it open without one ({done.stderr.strip()})")
+
+
+def main():
+    program, folder = sys.argv[1], pathlib.Path(sys.argv[2]).absolute()
+    missing = [tool for tool in ("Xvfb", "xdotool", "import", "compare", "convert", "identify") if not shutil.which(tool)]
+    if missing:
+        print(f"skipped: install {', '.join(missing)} (packages xvfb, xdotool, imagemagick)")
+        return 77
+    with Screen() as screen:
+        refuse(screen, program)
+        play_cornell(screen, program, folder)
+        play_outdoor(screen, program, folder)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

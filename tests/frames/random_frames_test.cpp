@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// Random cameras, suns, methods, settings inside their ranges and sizes from 1×1, one after the other on one renderer: no
+// GL error, no NaN, no negative light, and no growth of memory once every method has been seen.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+
+#include "engine/core/field_random.h"
+#include "engine/ecs/query.h"
+#include "engine/render/capture.h"
+#include "engine/render/gl/context.h"
+#include "game/session.h"
+
+namespace sl {
+namespace {
+
+double resident_megabytes() {
+    std::ifstream statm("/proc/self/statm");
+    double total = 0, resident = 0;
+    statm >> total >> resident;
+    return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1048576.0;
+}
+
+int frame_count() {
+    const char* chosen = std::getenv("SECONDLIGHT_RANDOM_FRAMES");
+    return chosen != nullptr ? std::atoi(chosen) : 1000;
+}
+
+/// Keeps a frame's work small; the settings themselves stay random.
+void bound_cost(GiMethod& method) {
+    if (auto* exact = std::get_if<RsmExact>(&method)) exact->rsm_size = std::min(exact->rsm_size, 24u);
+    if (auto* grid = std::get_if<RsmGrid>(&method)) grid->rsm_size = std::min(grid->rsm_size, 24u);
+    if (auto* disc = std::get_if<RsmDisc>(&method)) {
+        disc->rsm_size = std::min(disc->rsm_size, 128u);
+        disc->samples = std::min(disc->samples, 64u);
+    }
+}
+
+void randomise(App& app, RandomFields& random) {
+    for (auto [entity, light] : Query<DirectionalLight>(app.world)) {
+        visit_fields(random, light);
+        light.shadow_size = std::min(light.shadow_size, 256u);
+    }
+    for (auto [entity, light] : Query<SpotLight>(app.world)) {
+        visit_fields(random, light);
+        light.shadow_size = std::min(light.shadow_size, 256u);
+    }
+    for (auto [entity, sun] : Query<SunAngles>(app.world)) visit_fields(random, sun);
+    for (auto [entity, sky] : Query<SkyLight>(app.world)) visit_fields(random, sky);
+    for (auto [entity, material] : Query<Material>(app.world)) visit_fields(random, material);
+    const Entity camera = active_camera(app.world);
+    visit_fields(random, app.world.get<Camera>(camera));
+    app.world.get<Camera>(camera).active = true;
+    visit_fields(random, app.world.get<GiSettings>(camera));
+    bound_cost(app.world.get<GiSettings>(camera).method);
+    auto& transform = app.world.get<Transform>(camera);
+    // Mostly inside the scene, sometimes far outside.
+    const double reach = random.uniform() < 0.9 ? 20.0 : 1e6;
+    for (int axis = 0; axis < 3; ++axis) transform.translation[axis] = (random.uniform() * 2.0 - 1.0) * reach;
+    random.field("rotation", transform.rotation, {});
+}
+
+TEST(RandomFrames, NeverBreak) {
+    auto context = gl::create_context(gl::ContextKind::egl);
+    {
+        Renderer renderer(shader_folder());
+        RandomFields random(20260101);
+        std::vector<App> worlds;
+        for (const char* scene : {"outdoor", "indoor", "cornell", "plates", "empty"}) worlds.push_back(open_scene({.scene = scene}));
+        const int frames = frame_count();
+        double settled = 0.0;
+        for (int frame = 0; frame < frames; ++frame) {
+            App& app = worlds[static_cast<std::size_t>(random.uniform() * static_cast<double>(worlds.size()))];
+            randomise(app, random);
+            const auto side = [&] { return 1u + static_cast<std::uint32_t>(std::pow(random.uniform(), 3.0) * 96.0); };
+            const Capture captured = capture(app, renderer, {.width = side(), .height = side(), .layers = true});
+            for (const ImageLayer& layer : captured.layers) {
+                for (const float value : layer.image.data) {
+                    ASSERT_TRUE(std::isfinite(value)) << "frame " << frame << ", layer " << layer.name;
+                    if (layer.name != "normal") {
+                        ASSERT_GE(value, 0.0f) << "frame " << frame << ", layer " << layer.name;
+                    }
+                }
+            }
+            ASSERT_TRUE(context->errors().empty()) << "frame " << frame << ": " << context->errors().front();
+            if (frame == frames / 2) settled = resident_megabytes();
+        }
+        RecordProperty("megabytes_at_half", std::to_string(settled));
+        EXPECT_LT(resident_megabytes(), settled + 48.0) << "memory grew in the second half of the frames";
+    }
+}
+
+}  // namespace
+}  // namespace sl
