@@ -23,7 +23,8 @@ bool edit_component(World& world, const ComponentType& type, Entity entity) {
 
 void component_section(World& world, const ComponentType& type, Entity entity, bool open_at_first) {
     bool kept = true;
-    if (ImGui::CollapsingHeader(type.name.c_str(), &kept, open_at_first ? ImGuiTreeNodeFlags_DefaultOpen : 0)) {
+    if (ImGui::CollapsingHeader(type.name.c_str(), &kept,
+                                open_at_first ? ImGuiTreeNodeFlags_DefaultOpen : 0)) {
         edit_component(world, type, entity);
     }
     if (!kept) type.remove(world, entity);

@@ -5,8 +5,8 @@
 
 namespace sl {
 
-/// The fields of a component of an entity, which must have it, kept inside their ranges. Returns whether a person
-/// changed one.
+/// The fields of a component of an entity, which must have it, kept inside their ranges. Returns whether a
+/// person changed one.
 bool edit_component(World& world, const ComponentType& type, Entity entity);
 /// The same under a header with a button that removes the component.
 void component_section(World& world, const ComponentType& type, Entity entity, bool open_at_first);

@@ -17,8 +17,9 @@ struct EditorState {
     std::map<std::string, double> smoothed_passes;  ///< ms by pass
 };
 
-/// The whole panel, at the right edge: the scene and what its picture costs. Draws nothing while closed. Its widgets
-/// come from visit_fields alone. Between begin and draw of an ImguiLayer, after the frame was rendered.
+/// The whole panel, at the right edge: the scene and what its picture costs. Draws nothing while closed. Its
+/// widgets come from visit_fields alone. Between begin and draw of an ImguiLayer, after the frame was
+/// rendered.
 void editor_panel(App& app, Renderer& renderer, EditorState& state);
 
 /// GI of the active camera, lights, camera, then all named entities with their components. Inside a window.

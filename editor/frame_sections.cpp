@@ -11,7 +11,8 @@ namespace {
 
 constexpr double smoothing = 0.1;  // share of the newest frame
 
-/// Passes of one name (a light's layers) add up; slices of a sum are one row, so that rows do not come and go.
+/// Passes of one name (a light's layers) add up; slices of a sum are one row, so that rows do not come and
+/// go.
 std::string row_of(const std::string& pass) {
     const std::size_t end = pass.find_last_not_of("0123456789");
     const bool numbered = end != std::string::npos && end + 1 < pass.size() && pass[end] == '_';
@@ -61,14 +62,16 @@ void pass_times(Renderer& renderer, EditorState& state) {
         ImGui::TableNextColumn();
         ImGui::Text("%.3f", row.milliseconds);
         ImGui::TableNextColumn();
-        ImGui::ProgressBar(static_cast<float>(row.milliseconds / longest), ImVec2(-1.0f, ImGui::GetTextLineHeight()), "");
+        ImGui::ProgressBar(static_cast<float>(row.milliseconds / longest),
+                           ImVec2(-1.0f, ImGui::GetTextLineHeight()), "");
     }
     ImGui::EndTable();
 }
 
 void frame_table(const Renderer& renderer) {
     const std::string table = renderer.graph().table(renderer.steps());
-    const float height = ImGui::GetTextLineHeightWithSpacing() * static_cast<float>(renderer.steps().size() + 3);
+    const float height =
+        ImGui::GetTextLineHeightWithSpacing() * static_cast<float>(renderer.steps().size() + 3);
     ImGui::BeginChild("table", ImVec2(0.0f, height), true, ImGuiWindowFlags_HorizontalScrollbar);
     ImGui::TextUnformatted(table.c_str(), table.c_str() + table.size());
     ImGui::EndChild();
@@ -77,7 +80,8 @@ void frame_table(const Renderer& renderer) {
 }  // namespace
 
 void frame_sections(Renderer& renderer, EditorState& state) {
-    if (ImGui::CollapsingHeader("GPU time per pass", ImGuiTreeNodeFlags_DefaultOpen)) pass_times(renderer, state);
+    if (ImGui::CollapsingHeader("GPU time per pass", ImGuiTreeNodeFlags_DefaultOpen))
+        pass_times(renderer, state);
     if (ImGui::CollapsingHeader("Frame graph")) frame_table(renderer);
 }
 

@@ -55,7 +55,7 @@ template <>
 constexpr ImGuiDataType data_type<double> = ImGuiDataType_Double;
 
 template <class T>
-constexpr const char* number_format = "%.5g";
+constexpr const char* number_format = "%.6g";
 template <>
 constexpr const char* number_format<std::int32_t> = "%d";
 template <>
@@ -77,13 +77,14 @@ bool numbers(T* values, int count, const FieldInfo& info) {
     ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp;
     if (count == 1 && has_slider(info)) {
         if (logarithmic) flags |= ImGuiSliderFlags_Logarithmic;
-        return ImGui::SliderScalar("##value", data_type<T>, values, &range.low, &range.high, number_format<T>, flags);
+        return ImGui::SliderScalar("##value", data_type<T>, values, &range.low, &range.high, number_format<T>,
+                                   flags);
     }
     // One pixel of dragging; a hundredth of the range where there is a small one.
     const double extent = info.max - info.min;
     const float speed = std::integral<T> ? 0.2f : extent <= 10 ? static_cast<float>(extent * 0.005) : 0.02f;
-    return ImGui::DragScalarN("##value", data_type<T>, values, count, speed, &range.low, &range.high, number_format<T>,
-                              flags);
+    return ImGui::DragScalarN("##value", data_type<T>, values, count, speed, &range.low, &range.high,
+                              number_format<T>, flags);
 }
 
 /// Numbers of linear light, and a field of the colour as a screen shows it that opens a picker.
@@ -91,7 +92,9 @@ bool colour(vec3& linear, const FieldInfo& info) {
     const auto encode = [](float c) {
         return c <= 0.0031308f ? 12.92f * c : 1.055f * std::pow(c, 1.0f / 2.4f) - 0.055f;
     };
-    const auto decode = [](float c) { return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f); };
+    const auto decode = [](float c) {
+        return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f);
+    };
     vec3 shown(encode(linear.x), encode(linear.y), encode(linear.z));
     const float side = ImGui::GetFrameHeight();
     if (ImGui::ColorButton("##swatch", ImVec4(shown.x, shown.y, shown.z, 1.0f), ImGuiColorEditFlags_NoTooltip,

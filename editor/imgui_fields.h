@@ -5,9 +5,9 @@
 
 namespace sl {
 
-/// Draws one row per field, name and unit on the left and a widget on the right, between begin and end of a table of
-/// two columns (see FieldTable). Values change only by what people do; clamp them afterwards with FieldClamp where
-/// changed() says so.
+/// Draws one row per field, name and unit on the left and a widget on the right, between begin and end of a
+/// table of two columns (see FieldTable). Values change only by what people do; clamp them afterwards with
+/// FieldClamp where changed() says so.
 class ImguiFields final : public FieldVisitor {
   public:
     void field(std::string_view name, bool& value, const FieldInfo& info) override;

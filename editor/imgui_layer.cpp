@@ -63,6 +63,8 @@ bool ImguiLayer::has_keyboard() {
     return ImGui::GetIO().WantTextInput;
 }
 
-void ImguiLayer::skip() { ImGui::EndFrame(); }
+void ImguiLayer::skip() {
+    ImGui::EndFrame();
+}
 
 }  // namespace sl

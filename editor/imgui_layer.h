@@ -5,8 +5,8 @@
 
 namespace sl {
 
-/// Dear ImGui over a window with a current OpenGL context: made once, then begin … draw in each frame. Writes no
-/// settings file.
+/// Dear ImGui over a window with a current OpenGL context: made once, then begin … draw in each frame. Writes
+/// no settings file.
 class ImguiLayer {
   public:
     explicit ImguiLayer(const Window& window);
@@ -14,7 +14,8 @@ class ImguiLayer {
     ImguiLayer(const ImguiLayer&) = delete;
     ImguiLayer& operator=(const ImguiLayer&) = delete;
 
-    /// Widgets may be drawn from here on. Takes from `input` what belongs to a widget, so that the game does not see it.
+    /// Widgets may be drawn from here on. Takes from `input` what belongs to a widget, so that the game does
+    /// not see it.
     void begin(Input& input);
     /// Draws the frame's widgets to the bound framebuffer; colours go there as they are.
     void draw();

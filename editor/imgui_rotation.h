@@ -13,8 +13,8 @@ struct YawPitchRoll {
 };
 
 YawPitchRoll yaw_pitch_roll(const quat& rotation);
-/// The rotation with its angles raised by `step`. Unlike making it anew from angles, this turns steadily also where
-/// yaw and roll cannot be told apart.
+/// The rotation with its angles raised by `step`. Unlike making it anew from angles, this turns steadily also
+/// where yaw and roll cannot be told apart.
 quat turned(const quat& rotation, const YawPitchRoll& step);
 
 /// Three numbers in degrees side by side; returns whether a person changed them.

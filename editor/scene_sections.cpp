@@ -13,8 +13,8 @@ namespace sl {
 
 namespace {
 
-constexpr std::array<std::string_view, 5> light_components{"sun", "directional_light", "spot_light", "point_light",
-                                                           "sky"};
+constexpr std::array<std::string_view, 5> light_components{"sun", "directional_light", "spot_light",
+                                                           "point_light", "sky"};
 
 Entity rendered_camera(World& world) {
     for (auto [entity, camera] : Query<const Camera>(world)) {
@@ -66,7 +66,9 @@ void light_sections(World& world, const ComponentRegistry& registry, std::span<c
     if (!ImGui::CollapsingHeader("Lights", ImGuiTreeNodeFlags_DefaultOpen)) return;
     ImGui::PushID("lights");
     for (const NamedEntity& named : entities) {
-        const auto is_lit_by = [&](std::string_view name) { return registry.find(name)->has(world, named.entity); };
+        const auto is_lit_by = [&](std::string_view name) {
+            return registry.find(name)->has(world, named.entity);
+        };
         if (std::ranges::none_of(light_components, is_lit_by) || !begin_entity(named)) continue;
         for (const std::string_view name : light_components) {
             const ComponentType& type = *registry.find(name);

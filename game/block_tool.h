@@ -7,9 +7,9 @@
 namespace sl {
 
 /// What the keys 1 to 9 choose.
-inline constexpr std::array<Block, 9> block_palette{Block::planks,     Block::stone,      Block::grass,
-                                                    Block::log,        Block::brick,      Block::red_planks,
-                                                    Block::white_wool, Block::glowstone,  Block::gold};
+inline constexpr std::array<Block, 9> block_palette{Block::planks,     Block::stone,     Block::grass,
+                                                    Block::log,        Block::brick,     Block::red_planks,
+                                                    Block::white_wool, Block::glowstone, Block::gold};
 
 /// What the player builds with; a resource.
 struct BlockTool {
@@ -17,9 +17,9 @@ struct BlockTool {
     float reach = 8.0f;  ///< m
 };
 
-/// With the mouse captured: left click breaks the block in the middle of the view, right click places the held one on
-/// the face that is seen, middle click takes the kind that is seen. Nothing is placed where the camera is. Before the
-/// chunks of this frame are meshed.
+/// With the mouse captured: left click breaks the block in the middle of the view, right click places the
+/// held one on the face that is seen, middle click takes the kind that is seen. Nothing is placed where the
+/// camera is. Before the chunks of this frame are meshed.
 void block_tool(World& world);
 
 /// The tool as a plugin; needs the voxel world's resources.

@@ -26,15 +26,16 @@ quat look_turned(const quat& rotation, vec2 radians) {
     return glm::normalize(around * up);
 }
 
-void fly_camera(Query<const Camera, Transform> cameras, const Input& input, const FrameClock& clock, FlyCamera& fly,
-                Notice& notice) {
+void fly_camera(Query<const Camera, Transform> cameras, const Input& input, const FrameClock& clock,
+                FlyCamera& fly, Notice& notice) {
     if (input.scroll != 0.0f) {
         fly.speed = std::clamp(fly.speed * std::pow(speed_per_notch, input.scroll), slowest, fastest);
         notice.say(fmt::format("speed {:.3g} m/s", fly.speed));
     }
     const bool command = input.active(Key::control);  // Ctrl+Q is no flight
-    const vec3 wish = command ? vec3(0.0f)
-                              : vec3(input.axis(Key::d, Key::a), input.axis(Key::e, Key::q), input.axis(Key::s, Key::w));
+    const vec3 wish =
+        command ? vec3(0.0f)
+                : vec3(input.axis(Key::d, Key::a), input.axis(Key::e, Key::q), input.axis(Key::s, Key::w));
     for (auto [entity, camera, transform] : cameras) {
         if (!camera.active) continue;
         if (input.mouse_delta != vec2(0.0f)) {
@@ -44,7 +45,8 @@ void fly_camera(Query<const Camera, Transform> cameras, const Input& input, cons
             const vec3 right = transform.rotation * vec3(1, 0, 0);
             const vec3 level_right = glm::normalize(vec3(right.x, 0.0f, right.z) + vec3(1e-6f, 0.0f, 0.0f));
             const vec3 level_back = glm::cross(level_right, vec3(0, 1, 0));
-            const vec3 direction = glm::normalize(level_right * wish.x + vec3(0, wish.y, 0) + level_back * wish.z);
+            const vec3 direction =
+                glm::normalize(level_right * wish.x + vec3(0, wish.y, 0) + level_back * wish.z);
             const double speed = fly.speed * (input.active(Key::shift) ? fly.fast : 1.0);
             transform.translation += dvec3(direction) * (speed * clock.step);
         }

@@ -12,8 +12,8 @@ struct LightKeys {
     std::size_t before_off = 0;  ///< method that O brings back; 0, which is off, before the first
 };
 
-/// G goes to the next GI method of the active camera, O turns GI off and on; [ ] and left/right turn every sun, up/down
-/// raise and lower it, + and - brighten and darken the picture.
+/// G goes to the next GI method of the active camera, O turns GI off and on; [ ] and left/right turn every
+/// sun, up/down raise and lower it, + and - brighten and darken the picture.
 void light_keys(World& world);
 
 void add_light_keys(App& app);

@@ -10,6 +10,7 @@
 namespace sl {
 
 /// Keys by where they lie on a US keyboard, so that WASD is under the same fingers everywhere.
+// clang-format off
 enum class Key : std::size_t {
     a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x, y, z,
     digit_0, digit_1, digit_2, digit_3, digit_4, digit_5, digit_6, digit_7, digit_8, digit_9,
@@ -17,6 +18,7 @@ enum class Key : std::size_t {
     space, enter, escape, tab, left, right, up, down, plus, minus, left_bracket, right_bracket,
     shift, control
 };
+// clang-format on
 inline constexpr std::size_t key_count = static_cast<std::size_t>(Key::control) + 1;
 
 enum class MouseButton : std::size_t { left, right, middle };

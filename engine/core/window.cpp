@@ -5,10 +5,10 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
-#include <optional>
 
 #include "engine/core/error.h"
 #include "engine/core/log.h"
+#include "engine/core/window_keys.h"
 
 namespace sl {
 
@@ -20,37 +20,6 @@ std::string last_glfw_error() {
     const char* text = nullptr;
     glfwGetError(&text);
     return text != nullptr ? text : "no reason given";
-}
-
-Key after(Key first, int steps) {
-    return static_cast<Key>(static_cast<std::size_t>(first) + static_cast<std::size_t>(steps));
-}
-
-std::optional<Key> key_of(int glfw_key) {
-    if (glfw_key >= GLFW_KEY_A && glfw_key <= GLFW_KEY_Z) return after(Key::a, glfw_key - GLFW_KEY_A);
-    if (glfw_key >= GLFW_KEY_0 && glfw_key <= GLFW_KEY_9) return after(Key::digit_0, glfw_key - GLFW_KEY_0);
-    if (glfw_key >= GLFW_KEY_F1 && glfw_key <= GLFW_KEY_F12) return after(Key::f1, glfw_key - GLFW_KEY_F1);
-    switch (glfw_key) {
-        case GLFW_KEY_SPACE: return Key::space;
-        case GLFW_KEY_ENTER: return Key::enter;
-        case GLFW_KEY_ESCAPE: return Key::escape;
-        case GLFW_KEY_TAB: return Key::tab;
-        case GLFW_KEY_LEFT: return Key::left;
-        case GLFW_KEY_RIGHT: return Key::right;
-        case GLFW_KEY_UP: return Key::up;
-        case GLFW_KEY_DOWN: return Key::down;
-        case GLFW_KEY_EQUAL:
-        case GLFW_KEY_KP_ADD: return Key::plus;
-        case GLFW_KEY_MINUS:
-        case GLFW_KEY_KP_SUBTRACT: return Key::minus;
-        case GLFW_KEY_LEFT_BRACKET: return Key::left_bracket;
-        case GLFW_KEY_RIGHT_BRACKET: return Key::right_bracket;
-        case GLFW_KEY_LEFT_SHIFT:
-        case GLFW_KEY_RIGHT_SHIFT: return Key::shift;
-        case GLFW_KEY_LEFT_CONTROL:
-        case GLFW_KEY_RIGHT_CONTROL: return Key::control;
-        default: return std::nullopt;
-    }
 }
 
 void hint_context(int major, int minor) {
@@ -67,8 +36,9 @@ std::string version_found() {
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
     GLFWwindow* probe = glfwCreateWindow(16, 16, "", nullptr, nullptr);
     if (probe == nullptr) return "no OpenGL at all";
-    const std::string version = fmt::format("OpenGL {}.{}", glfwGetWindowAttrib(probe, GLFW_CONTEXT_VERSION_MAJOR),
-                                            glfwGetWindowAttrib(probe, GLFW_CONTEXT_VERSION_MINOR));
+    const std::string version =
+        fmt::format("OpenGL {}.{}", glfwGetWindowAttrib(probe, GLFW_CONTEXT_VERSION_MAJOR),
+                    glfwGetWindowAttrib(probe, GLFW_CONTEXT_VERSION_MINOR));
     glfwDestroyWindow(probe);
     return version;
 }
@@ -86,7 +56,8 @@ GLFWmonitor* monitor_of(GLFWwindow* window) {
         glfwGetMonitorPos(monitors[i], &corner.x, &corner.y);
         const GLFWvidmode* mode = glfwGetVideoMode(monitors[i]);
         if (mode == nullptr) continue;
-        const ivec2 shared = glm::min(place + size, corner + ivec2(mode->width, mode->height)) - glm::max(place, corner);
+        const ivec2 shared =
+            glm::min(place + size, corner + ivec2(mode->width, mode->height)) - glm::max(place, corner);
         const std::int64_t area = std::int64_t{std::max(shared.x, 0)} * std::max(shared.y, 0);
         if (area > best_area) {
             best_area = area;
@@ -121,7 +92,9 @@ struct Window::Callbacks {
         if (self.events_.mouse_captured) self.events_.mouse_delta += vec2(now - self.pointer_);
         self.pointer_ = now;
     }
-    static void scroll(GLFWwindow* window, double, double y) { of(window).events_.scroll += static_cast<float>(y); }
+    static void scroll(GLFWwindow* window, double, double y) {
+        of(window).events_.scroll += static_cast<float>(y);
+    }
     static void focus(GLFWwindow* window, int focused) {
         if (focused == GLFW_FALSE) of(window).release_all();
     }
@@ -129,8 +102,10 @@ struct Window::Callbacks {
 
 Window::Window(const WindowSettings& settings) : vsync_(settings.vsync) {
     if (glfwInit() == GLFW_FALSE) {
-        fail("there is no display for a window ({}): render without one with `./play tour`, or log in to a desktop",
-             last_glfw_error());
+        fail(
+            "there is no display for a window ({}): render without one with `./play tour`, or log in to a "
+            "desktop",
+            last_glfw_error());
     }
     glfwDefaultWindowHints();
     hint_context(4, 5);
@@ -142,9 +117,11 @@ Window::Window(const WindowSettings& settings) : vsync_(settings.vsync) {
         const std::string reason = last_glfw_error();
         const std::string found = version_found();
         glfwTerminate();
-        fail("OpenGL 4.5 core is needed, but this display gives {} ({}): update the graphics driver, or render without a "
-             "window: `./play tour --context egl`, or --context osmesa for software",
-             found, reason);
+        fail(
+            "OpenGL 4.5 core is needed, but this display gives {} ({}): update the graphics driver, or "
+            "render without a "
+            "window: `./play tour --context egl`, or --context osmesa for software",
+            found, reason);
     }
     glfwSetWindowUserPointer(window_, this);
     glfwSetKeyCallback(window_, &Callbacks::key);
@@ -173,15 +150,21 @@ Input Window::poll() {
     return frame;
 }
 
-void Window::swap() { glfwSwapBuffers(window_); }
+void Window::swap() {
+    glfwSwapBuffers(window_);
+}
 
 void Window::set_vsync(bool on) {
     vsync_ = on;
     glfwSwapInterval(on ? 1 : 0);
 }
 
-bool Window::close_requested() const { return glfwWindowShouldClose(window_) != GLFW_FALSE; }
-void Window::request_close() { glfwSetWindowShouldClose(window_, GLFW_TRUE); }
+bool Window::close_requested() const {
+    return glfwWindowShouldClose(window_) != GLFW_FALSE;
+}
+void Window::request_close() {
+    glfwSetWindowShouldClose(window_, GLFW_TRUE);
+}
 
 uvec2 Window::framebuffer_size() const {
     ivec2 size(0);
@@ -211,8 +194,8 @@ void Window::capture_mouse(bool captured) {
 
 void Window::toggle_fullscreen() {
     if (glfwGetWindowMonitor(window_) != nullptr) {
-        glfwSetWindowMonitor(window_, nullptr, windowed_place_.x, windowed_place_.y, windowed_size_.x, windowed_size_.y,
-                             GLFW_DONT_CARE);
+        glfwSetWindowMonitor(window_, nullptr, windowed_place_.x, windowed_place_.y, windowed_size_.x,
+                             windowed_size_.y, GLFW_DONT_CARE);
     } else {
         GLFWmonitor* monitor = monitor_of(window_);
         const GLFWvidmode* mode = monitor != nullptr ? glfwGetVideoMode(monitor) : nullptr;
@@ -226,8 +209,6 @@ void Window::toggle_fullscreen() {
     }
     set_vsync(vsync_);  // some systems forget it
 }
-
-void Window::set_title(const std::string& title) { glfwSetWindowTitle(window_, title.c_str()); }
 
 void Window::release_all() {
     capture_mouse(false);

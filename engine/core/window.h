@@ -16,7 +16,8 @@ struct WindowSettings {
     bool vsync = true;
 };
 
-/// A window for an OpenGL 4.5 core context; gl::create_context makes that current and loads it. One at a time.
+/// A window for an OpenGL 4.5 core context; gl::create_context makes that current and loads it. One at a
+/// time.
 class Window {
   public:
     /// Throws Error naming what was found where there is no display or no OpenGL 4.5.
@@ -27,8 +28,8 @@ class Window {
 
     GLFWwindow* native() const { return window_; }
 
-    /// Handles what has happened and tells it as input. While there is nothing to draw to it waits for the next event, a
-    /// quarter of a second at most. Without focus no key is held and the mouse is free.
+    /// Handles what has happened and tells it as input. While there is nothing to draw to it waits for the
+    /// next event, a quarter of a second at most. Without focus no key is held and the mouse is free.
     Input poll();
     /// Needs a current context.
     void swap();
@@ -48,7 +49,6 @@ class Window {
     void capture_mouse(bool captured);
     /// Fullscreen on the monitor that shows most of the window, and back to where it was.
     void toggle_fullscreen();
-    void set_title(const std::string& title);
 
   private:
     struct Callbacks;

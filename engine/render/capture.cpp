@@ -48,15 +48,17 @@ Image decoded_normals(const Image& encoded) {
     return result;
 }
 
-std::vector<ImageLayer> read_layers(const Renderer& renderer, const FrameOutput& images) {
+/// Without indirect light a frame holds one black pixel of it; a capture shows a black picture.
+Image at_least(Image image, const CaptureSettings& settings) {
+    const bool single = image.width == 1 && image.height == 1;
+    return single ? Image(settings.width, settings.height, image.channels) : image;
+}
+
+std::vector<ImageLayer> read_layers(const Renderer& renderer, const FrameOutput& images, const CaptureSettings& settings) {
     std::vector<ImageLayer> layers;
     layers.push_back({"", without_alpha(renderer.read(images.hdr))});
     layers.push_back({"direct", without_alpha(renderer.read(images.direct))});
-    // Without indirect light the frame holds one black pixel; a picture's layers all have its size.
-    Image irradiance = renderer.read(images.irradiance);
-    const Image& size = layers.front().image;
-    if (irradiance.width != size.width || irradiance.height != size.height) irradiance = Image(size.width, size.height, 3);
-    layers.push_back({"irradiance", without_alpha(irradiance)});
+    layers.push_back({"irradiance", without_alpha(at_least(renderer.read(images.irradiance), settings))});
     layers.push_back({"albedo", without_alpha(renderer.read(images.gbuffer.albedo))});
     layers.push_back({"normal", decoded_normals(renderer.read(images.gbuffer.normal))});
     layers.push_back(layer_of(renderer, "depth", "depth"));
@@ -99,12 +101,12 @@ Capture capture(App& app, Renderer& renderer, const CaptureSettings& settings) {
         const ImageId image = renderer.find_image(shown.name);
         const std::uint32_t layers = std::max(renderer.graph().resources()[image.index].image.layers, 1u);
         if (shown.layer >= layers) fail("--show: '{}' has {} layers, counted from 0", shown.name, layers);
-        const Image raw = renderer.read(image, shown.layer);
+        const Image raw = at_least(renderer.read(image, shown.layer), settings);
         result.picture = displayable(shown.name, raw, exposure);
         const bool screen_sized = raw.width == settings.width && raw.height == settings.height;
         if (!settings.layers || !screen_sized) result.layers.push_back({shown.name, raw});
     }
-    if (settings.layers && (shown.name.empty() || result.layers.empty())) result.layers = read_layers(renderer, result.result.images);
+    if (settings.layers && (shown.name.empty() || result.layers.empty())) result.layers = read_layers(renderer, result.result.images, settings);
     return result;
 }
 

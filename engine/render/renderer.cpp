@@ -30,11 +30,12 @@ Renderer::Result Renderer::render(const RenderScene& scene, const Request& reque
                            .width = request.width,
                            .height = request.height,
                            .slice_budget = request.slice_budget};
-    result.images = build_frame(frame);
+    images_ = build_frame(frame);
+    result.images = images_;
     graph_.want(result.images.final);
     if (request.want_irradiance) graph_.want(result.images.irradiance);
     for (const std::string& name : request.wanted) {
-        const ImageId image = graph_.find_image(name);
+        const ImageId image = find_image(name);
         if (!image) fail("this frame has no image '{}'; it has {}", name, fmt::join(image_names(graph_), ", "));
         graph_.want(image);
     }
@@ -50,6 +51,11 @@ Renderer::Result Renderer::render(const RenderScene& scene, const Request& reque
     }
     result.triangles_culled = inputs.triangles - result.triangles_drawn;
     return result;
+}
+
+ImageId Renderer::find_image(std::string_view name) const {
+    const ImageId image = graph_.find_image(name);
+    return !image && name == "irradiance" ? images_.irradiance : image;
 }
 
 Image Renderer::read(ImageId image, std::uint32_t layer) const {

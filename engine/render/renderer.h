@@ -39,8 +39,9 @@ class Renderer {
 
     /// One layer of an image of the last frame as an Image, top row first.
     Image read(ImageId image, std::uint32_t layer = 0) const;
-    /// The image of that name in the last frame; none when there is none.
-    ImageId find_image(std::string_view name) const { return graph_.find_image(name); }
+    /// The image of that name in the last frame; none when there is none. "irradiance" is always there: without indirect
+    /// light it is a black pixel.
+    ImageId find_image(std::string_view name) const;
     /// The last frame's graph and compiled steps.
     const FrameGraph& graph() const { return graph_; }
     const std::vector<Step>& steps() const { return steps_; }
@@ -52,6 +53,7 @@ class Renderer {
     PersistentStates states_;
     FrameGraph graph_{states_};
     std::vector<Step> steps_;
+    FrameOutput images_;
     Executor executor_;
     GpuScene gpu_scene_;
 };

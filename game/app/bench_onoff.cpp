@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/core/error.h"
+#include "engine/core/image_error.h"
 #include "engine/core/text_file.h"
 #include "engine/ecs/query.h"
 #include "engine/render/capture.h"
@@ -25,6 +26,7 @@ struct BenchFlags {
     std::string gi;
     std::vector<std::string> sets;
     std::string json;
+    bool error = false;
 };
 
 /// Milliseconds over runs: smallest, quartiles, largest.
@@ -111,6 +113,32 @@ nlohmann::json report(const std::string& scene, const std::string& method, const
     return json;
 }
 
+/// One frame's indirect irradiance by a method, and which pixels show a surface.
+struct Irradiance {
+    Image image;
+    std::vector<float> surface;
+};
+
+Irradiance irradiance_of(const SceneChoice& choice, uvec2 size) {
+    App app = open_scene(choice);
+    Renderer renderer(shader_folder());
+    Progress progress(fmt::format("{}, {}, one frame", choice.scene, choice.gi));
+    const Capture captured = capture(app, renderer, {.width = size.x, .height = size.y, .layers = true,
+                                                     .on_step = [&](std::size_t step, std::size_t steps, const std::string&) { progress.update(step, steps); }});
+    Irradiance result;
+    for (const ImageLayer& layer : captured.layers) {
+        if (layer.name == "irradiance") result.image = layer.image;
+        if (layer.name == "depth") result.surface = layer.image.data;
+    }
+    return result;
+}
+
+/// Sampling error: the method against the sum over every texel of the same maps.
+double sampling_error(const SceneChoice& choice, uvec2 size, std::uint32_t rsm_size) {
+    const Irradiance exact = irradiance_of({.scene = choice.scene, .gi = "rsm_exact", .sets = {fmt::format("gi.rsm_size={}", rsm_size)}}, size);
+    return nrmse(irradiance_of(choice, size).image, exact.image, exact.surface);
+}
+
 int run_onoff(const GlobalFlags& global, const BenchFlags& flags) {
     const uvec2 size = parse_size(flags.size);
     Headless headless(global);
@@ -132,6 +160,15 @@ int run_onoff(const GlobalFlags& global, const BenchFlags& flags) {
             progress.update(pair + 1, flags.pairs);
         }
         results.push_back(report(scene, method, off, on));
+        if (flags.error) {
+            std::uint32_t rsm_size = 0;
+            if (const auto* disc = std::get_if<RsmDisc>(&settings->method)) rsm_size = disc->rsm_size;
+            if (const auto* exact = std::get_if<RsmExact>(&settings->method)) rsm_size = exact->rsm_size;
+            if (rsm_size == 0) fail("--error compares with rsm_exact, and {} is not in its units", method);
+            const double error = sampling_error({.scene = scene, .gi = flags.gi.empty() ? method : flags.gi, .sets = flags.sets}, size, rsm_size);
+            fmt::print("  sampling error against rsm_exact, NRMSE of irradiance: {:.1f} %\n", 100.0 * error);
+            results.back()["sampling_nrmse"] = error;
+        }
     }
     headless.check_errors();
     if (!flags.json.empty()) {
@@ -154,6 +191,7 @@ void add_bench_command(CLI::App& cli, const GlobalFlags& global, Command& chosen
     command->add_option("--set", flags->sets, "component.field=value for the on side; repeatable");
     command->add_option("--size", flags->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
     command->add_option("--pairs", flags->pairs, "Pairs of frames")->capture_default_str()->check(CLI::Range(1u, 100000u));
+    command->add_flag("--error", flags->error, "Also measure the method's sampling error against rsm_exact; takes minutes");
     command->add_option("--json", flags->json, "Also write the figures into this file");
     command->callback([&global, &chosen, flags] { chosen = [&global, flags] { return run_onoff(global, *flags); }; });
 }

@@ -39,8 +39,9 @@ constexpr const char* keys_text =
     "Escape        free the mouse\n"
     "Ctrl+Q        quit";
 
-/// Lines on a dark ground, with their pivot (0 to 1 of their own size) at a point of the screen. Not an ImGui window:
-/// those learn the size of what is in them a frame too late, which shows where a frame takes a second.
+/// Lines on a dark ground, with their pivot (0 to 1 of their own size) at a point of the screen. Not an ImGui
+/// window: those learn the size of what is in them a frame too late, which shows where a frame takes a
+/// second.
 class TextBox {
   public:
     void line(const std::string& text, ImU32 colour = plain) { lines_.push_back({text, colour}); }
@@ -55,7 +56,8 @@ class TextBox {
         const ImVec2 outer(size.x + 2 * gap, size.y + 2 * gap);
         ImVec2 at(std::round(point.x - pivot.x * outer.x), std::round(point.y - pivot.y * outer.y));
         ImDrawList& list = *ImGui::GetBackgroundDrawList();
-        list.AddRectFilled(at, ImVec2(at.x + outer.x, at.y + outer.y), IM_COL32(0, 0, 0, darkness), gap * 0.5f);
+        list.AddRectFilled(at, ImVec2(at.x + outer.x, at.y + outer.y), IM_COL32(0, 0, 0, darkness),
+                           gap * 0.5f);
         at = ImVec2(at.x + gap, at.y + gap);
         for (const auto& [text, colour] : lines_) {
             list.AddText(at, colour, text.c_str());
@@ -89,7 +91,8 @@ TextBox status(App& app, const HudInput& input) {
     box.line(fmt::format("GI {}", method_text(app.world)));
     box.line(fmt::format("frame {:.1f} ms  {:.0f} fps", ms, ms > 0.0 ? 1000.0 / ms : 0.0));
     box.line(fmt::format("GI    {:.2f} ms", input.gi_ms));
-    box.line(fmt::format("triangles {} drawn, {} culled", input.frame.triangles_drawn, input.frame.triangles_culled));
+    box.line(fmt::format("triangles {} drawn, {} culled", input.frame.triangles_drawn,
+                         input.frame.triangles_culled));
     if (input.frame.drawn && input.frame.images.gi_progress < 1.0f) {
         box.line(fmt::format("GI {:.1f} % done", 100.0f * input.frame.images.gi_progress));
     }
@@ -103,7 +106,8 @@ TextBox status(App& app, const HudInput& input) {
 void crosshair(ImVec2 centre) {
     const float arm = ImGui::GetFontSize() * 0.55f;
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    for (const auto& [colour, width] : {std::pair(IM_COL32(0, 0, 0, 160), 3.0f), std::pair(IM_COL32(255, 255, 255, 210), 1.0f)}) {
+    for (const auto& [colour, width] :
+         {std::pair(IM_COL32(0, 0, 0, 160), 3.0f), std::pair(IM_COL32(255, 255, 255, 210), 1.0f)}) {
         list.AddLine(ImVec2(centre.x - arm, centre.y), ImVec2(centre.x + arm, centre.y), colour, width);
         list.AddLine(ImVec2(centre.x, centre.y - arm), ImVec2(centre.x, centre.y + arm), colour, width);
     }
@@ -133,9 +137,10 @@ void draw_hud(App& app, const HudInput& input) {
     if (!input.failure.empty()) {
         message(input.failure, centre, alarming);
     } else if (!input.frame.drawn) {
-        message("This scene has no active camera, so there is nothing to see.\n"
-                "Press F1 and tick \"active\" on a camera, or add one to an entity.",
-                centre, alarming);
+        message(
+            "This scene has no active camera, so there is nothing to see.\n"
+            "Press F1 and tick \"active\" on a camera, or add one to an entity.",
+            centre, alarming);
     } else {
         crosshair(centre);
     }

@@ -16,11 +16,12 @@ namespace sl {
 struct PlaySettings {
     SceneChoice scene;
     WindowSettings window;
-    double render_scale = 1.0;    ///< pixels drawn per pixel shown, per axis
+    double render_scale = 1.0;     ///< pixels drawn per pixel shown, per axis
     std::uint64_t max_frames = 0;  ///< 0: until the window is closed
 };
 
-/// The game in a window: everything from the context to the loop. Construction throws Error like open_scene and Window.
+/// The game in a window: everything from the context to the loop. Construction throws Error like open_scene
+/// and Window.
 class Play {
   public:
     explicit Play(const PlaySettings& settings);
@@ -36,14 +37,15 @@ class Play {
     void window_keys(Input& input);
     void capture_on_click(Input& input);
     void render(uvec2 window_size);
+    bool worth_trying_again();
     void reload_shaders();
     void show(uvec2 window_size);
     void save_picture();
 
     PlaySettings settings_;
+    App app_;
     Window window_;
     std::unique_ptr<gl::Context> context_;
-    App app_;
     std::optional<Renderer> renderer_;
     ImguiLayer widgets_;
     Presenter presenter_;
@@ -55,8 +57,14 @@ class Play {
     FrameMeter meter_;
     Clock::time_point last_frame_ = Clock::now();
     Clock::time_point last_reload_ = Clock::now();
-    std::string failure_;  ///< of the last try to render
-    std::filesystem::file_time_type failed_with_{};
+    /// Why the last try to render gave no picture, and what it was made from: with another method or another
+    /// shader it is tried again.
+    struct Failure {
+        std::string text;
+        std::size_t method = 0;
+        std::filesystem::file_time_type shaders{};
+    };
+    std::optional<Failure> failure_;
     bool help_ = false;
     bool save_wanted_ = false;
     bool recapture_ = false;  ///< the panel freed the mouse and gives it back

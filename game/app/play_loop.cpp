@@ -13,7 +13,7 @@ namespace sl {
 
 namespace {
 
-constexpr double longest_step = 0.1;    // s; a pause is no flight through a wall
+constexpr double longest_step = 0.1;     // s; a pause is no flight through a wall
 constexpr double reload_interval = 0.5;  // s
 
 App open_game(const SceneChoice& choice) {
@@ -33,6 +33,10 @@ std::filesystem::file_time_type newest_change(const std::filesystem::path& folde
     return newest;
 }
 
+std::size_t method_index(const RenderScene& scene) {
+    return scene.gi ? scene.gi->method.index() : 0;
+}
+
 std::filesystem::path free_picture_path() {
     const std::filesystem::path folder = "out";
     std::filesystem::create_directories(folder);
@@ -46,9 +50,9 @@ std::filesystem::path free_picture_path() {
 
 Play::Play(const PlaySettings& settings)
     : settings_(settings),
+      app_(open_game(settings.scene)),
       window_(settings.window),
       context_(gl::create_context(gl::ContextKind::window, window_.native())),
-      app_(open_game(settings.scene)),
       widgets_(window_) {
     renderer_.emplace(shader_folder());
     editor_.scale = widgets_.scale();
@@ -62,7 +66,8 @@ void Play::run() {
         if (window_.drawable() && ++drawn == settings_.max_frames) break;
     }
     if (!context_->errors().empty()) {
-        fail("OpenGL reported {} errors, the first: {}", context_->errors().size(), context_->errors().front());
+        fail("OpenGL reported {} errors, the first: {}", context_->errors().size(),
+             context_->errors().front());
     }
 }
 
@@ -82,8 +87,10 @@ void Play::frame() {
         widgets_.skip();
         return;
     }
-    meter_.add(seconds);
-    budget_.frame_took(seconds, result_.drawn && result_.images.gi_progress < 1.0f);
+    if (result_.drawn) {
+        meter_.add(seconds);
+        budget_.frame_took(seconds, result_.images.gi_progress < 1.0f);
+    }
     reload_shaders();
     render(size);
     if (std::exchange(save_wanted_, false)) save_picture();
@@ -124,7 +131,7 @@ void Play::capture_on_click(Input& input) {
 }
 
 void Play::render(uvec2 window_size) {
-    if (!failure_.empty()) return;
+    if (failure_) return;
     extract(app_.world, scene_);
     picture_size_ = glm::max(uvec2(dvec3(window_size, 0) * settings_.render_scale), uvec2(1));
     const auto frame = static_cast<std::uint32_t>(app_.world.resource<FrameClock>().frame);
@@ -135,21 +142,25 @@ void Play::render(uvec2 window_size) {
                                              .frame_index = frame,
                                              .slice_budget = budget_.slices()});
     } catch (const Error& error) {
-        // A shader that was never good. Begin anew once somebody has changed it.
-        failure_ = error.what();
-        log::error("{}", failure_);
+        // A shader that was never good. What the frame left half done goes with the renderer.
+        log::error("{}", error.what());
+        failure_ = Failure{error.what(), method_index(scene_), newest_change(shader_folder())};
         result_ = {};
-        failed_with_ = newest_change(shader_folder());
         renderer_.emplace(shader_folder());
     }
+}
+
+bool Play::worth_trying_again() {
+    extract(app_.world, scene_);
+    return method_index(scene_) != failure_->method || newest_change(shader_folder()) != failure_->shaders;
 }
 
 void Play::reload_shaders() {
     const auto now = Clock::now();
     if (std::chrono::duration<double>(now - last_reload_).count() < reload_interval) return;
     last_reload_ = now;
-    if (!failure_.empty()) {
-        if (newest_change(shader_folder()) != failed_with_) failure_.clear();
+    if (failure_) {
+        if (worth_trying_again()) failure_.reset();
     } else if (auto& programs = renderer_->executor().programs(); programs.reload_changed()) {
         for (const std::string& error : programs.errors()) log::error("{}", error);
         if (programs.errors().empty()) app_.world.resource<Notice>().say("shaders reloaded");
@@ -168,7 +179,7 @@ void Play::show(uvec2 window_size) {
                     .help = help_,
                     .mouse_captured = window_.mouse_captured(),
                     .shader_errors = renderer_->executor().programs().errors(),
-                    .failure = failure_});
+                    .failure = failure_ ? failure_->text : ""});
     editor_panel(app_, *renderer_, editor_);
     widgets_.draw();
     presenter_.end();
@@ -180,7 +191,8 @@ void Play::save_picture() {
     try {
         const Image picture = renderer_->read(result_.images.final);
         Image opaque(picture.width, picture.height, 3);
-        for (std::size_t i = 0; i < opaque.data.size(); ++i) opaque.data[i] = picture.data[i / 3 * picture.channels + i % 3];
+        for (std::size_t i = 0; i < opaque.data.size(); ++i)
+            opaque.data[i] = picture.data[i / 3 * picture.channels + i % 3];
         const auto path = free_picture_path();
         write_png(path, opaque);
         notice.say(fmt::format("saved {}", path.string()), 4.0);

@@ -3,10 +3,17 @@
 
 namespace sl {
 
-Presenter::Presenter() { glCreateFramebuffers(1, &framebuffer_); }
-Presenter::~Presenter() { glDeleteFramebuffers(1, &framebuffer_); }
+Presenter::Presenter() {
+    glCreateFramebuffers(1, &framebuffer_);
+}
+Presenter::~Presenter() {
+    glDeleteFramebuffers(1, &framebuffer_);
+}
 
 void Presenter::begin(uvec2 size) {
+    // A frame that failed may leave a pass's debug group open, and a program that no longer is in use.
+    for (GLint depth = 0; glGetIntegerv(GL_DEBUG_GROUP_STACK_DEPTH, &depth), depth > 1;) glPopDebugGroup();
+    glUseProgram(0);
     glDisable(GL_FRAMEBUFFER_SRGB);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glViewport(0, 0, static_cast<GLsizei>(size.x), static_cast<GLsizei>(size.y));
@@ -21,6 +28,8 @@ void Presenter::show(GLuint texture, uvec2 texture_size, uvec2 size) {
                            from == to ? GL_NEAREST : GL_LINEAR);
 }
 
-void Presenter::end() { glEnable(GL_FRAMEBUFFER_SRGB); }
+void Presenter::end() {
+    glEnable(GL_FRAMEBUFFER_SRGB);
+}
 
 }  // namespace sl

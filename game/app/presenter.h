@@ -6,8 +6,8 @@
 
 namespace sl {
 
-/// Copies finished pictures to the window. A picture is sRGB-encoded already, and so are widgets: nothing encodes again
-/// between begin and end.
+/// Copies finished pictures to the window. A picture is sRGB-encoded already, and so are widgets: nothing
+/// encodes again between begin and end.
 class Presenter {
   public:
     Presenter();

@@ -6,8 +6,8 @@
 
 namespace sl {
 
-/// How much of a slow method is done per frame, so that the window keeps answering: more while frames are quick, less
-/// at once when one was slow.
+/// How much of a slow method is done per frame, so that the window keeps answering: more while frames are
+/// quick, less at once when one was slow.
 class SliceBudget {
   public:
     std::uint32_t slices() const { return slices_; }

@@ -5,15 +5,9 @@
 uniform sampler2DArrayShadow shadow_sun;
 uniform sampler2DArrayShadow shadow_spot;
 
-// Four linear comparisons placed so that together they weigh a 3×3 texel tent.
-float shadow_tent(sampler2DArrayShadow map, vec3 uv_depth, uint layer) {
-    float texel = 1.0 / float(textureSize(map, 0).x);
-    float lit = 0.0;
-    for (int i = 0; i < 4; ++i) {
-        vec2 offset = vec2((i & 1) == 0 ? -0.5 : 0.5, (i & 2) == 0 ? -0.5 : 0.5) * texel;
-        lit += texture(map, vec4(uv_depth.xy + offset, float(layer), uv_depth.z));
-    }
-    return 0.25 * lit;
+// One linear comparison: four texels, weighted. An edge is a texel wide; the map's size decides how wide that is.
+float shadow_compare(sampler2DArrayShadow map, vec3 uv_depth, uint layer) {
+    return texture(map, vec4(uv_depth.xy, float(layer), uv_depth.z));
 }
 
 // Where a point lies in its light's map, moved off the surface. A texel's footprint on a tilted surface spans a depth
@@ -21,7 +15,7 @@ float shadow_tent(sampler2DArrayShadow map, vec3 uv_depth, uint layer) {
 vec4 shadow_coordinate(LightParams light, Incident incident, vec3 position, vec3 normal, float texel) {
     float cos_light = clamp(dot(normal, incident.to_light.xyz), 0.0, 1.0);
     float sin_light = sqrt(1.0 - cos_light * cos_light);
-    vec3 shifted = position + normal * texel * (0.3 + 2.0 * sin_light) + incident.to_light.xyz * texel * 0.5;
+    vec3 shifted = position + normal * texel * (0.2 + 1.5 * sin_light) + incident.to_light.xyz * texel * 0.5;
     vec4 clip = light.map_clip_from_world * vec4(shifted, 1.0);
     return vec4(clip.xyz / max(clip.w, 1e-20) * vec3(0.5, 0.5, 1.0) + vec3(0.5, 0.5, 0.0), clip.w);
 }
@@ -29,11 +23,11 @@ vec4 shadow_coordinate(LightParams light, Incident incident, vec3 position, vec3
 // Outside its map a sun is taken as unblocked.
 float sun_visibility(LightParams light, Incident incident, vec3 position, vec3 normal) {
     vec4 at = shadow_coordinate(light, incident, position, normal, light.direction.w);
-    return light.kind.y == no_layer ? 1.0 : shadow_tent(shadow_sun, at.xyz, light.kind.y);
+    return light.kind.y == no_layer ? 1.0 : shadow_compare(shadow_sun, at.xyz, light.kind.y);
 }
 
 float spot_visibility(LightParams light, Incident incident, vec3 position, vec3 normal) {
     vec4 at = shadow_coordinate(light, incident, position, normal, light.direction.w * incident.to_light.w);
     if (at.w <= 0.0) { return 0.0; }
-    return light.kind.y == no_layer ? 1.0 : shadow_tent(shadow_spot, at.xyz, light.kind.y);
+    return light.kind.y == no_layer ? 1.0 : shadow_compare(shadow_spot, at.xyz, light.kind.y);
 }

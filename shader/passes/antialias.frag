@@ -5,7 +5,8 @@ uniform sampler2D ldr;
 
 layout(location = 0) out vec4 final;
 
-const int reach = 8;
+// Steps grow: an edge's far end matters less than its near one.
+const float steps[4] = float[4](1.0, 1.0, 2.0, 4.0);
 const float least_contrast = 0.06;
 
 float luma(vec2 at) { return textureLod(ldr, at, 0.0).a; }
@@ -16,8 +17,8 @@ float neighbour_luma(ivec2 pixel) { return texelFetch(ldr, clamp(pixel, ivec2(0)
 vec2 edge_end(vec2 at, vec2 step, float edge_luma, float band) {
     float walked = 0.0;
     float difference = 0.0;
-    for (int i = 0; i < reach; ++i) {
-        walked += 1.0;
+    for (int i = 0; i < 4; ++i) {
+        walked += steps[i];
         difference = luma(at + step * walked) - edge_luma;
         if (abs(difference) >= band) { break; }
     }

@@ -51,7 +51,7 @@ class Game:
     """A running game; `part` of a screenshot is WIDTHxHEIGHT+LEFT+TOP."""
 
     def __init__(self, screen, program, folder, scene, *flags):
-        self.env, self.folder, self.scene, self.shots = screen.env, folder / scene, scene, 0
+        self.env, self.folder, self.scene, self.shots = screen.env, folder, scene, 0
         shutil.rmtree(self.folder, ignore_errors=True)
         self.folder.mkdir(parents=True)
         self.log_path = self.folder / "log.txt"
@@ -70,6 +70,12 @@ class Game:
         if done.returncode != 0:
             raise AssertionError(f"xdotool {' '.join(words)}: {done.stderr.strip()}")
         return done.stdout
+
+    def tap(self, key, times):
+        """Slowly: two taps within one frame are one."""
+        for _ in range(times):
+            self.xdotool("key", key)
+            time.sleep(1.5)
 
     def wait(self, sentence, condition, patience=PATIENCE):
         end = time.monotonic() + patience
@@ -157,7 +163,7 @@ def size_of(path):
 def play_cornell(screen, program, folder):
     print("cornell: pictures, panel, keys, sizes", flush=True)
     picture, panel = "330x230+300+60", "200x300+430+30"
-    with Game(screen, program, folder, "cornell", "--size", "640x360") as game:
+    with Game(screen, program, folder / "cornell", "cornell", "--size", "640x360") as game:
         game.shot_when("start", "the picture is not black", lambda p: brightness(p, picture) > 0.02)
         lit = game.settled_shot("lit", picture)
 
@@ -214,7 +220,7 @@ def play_cornell(screen, program, folder):
 def play_outdoor(screen, program, folder):
     print("outdoor: mouse and blocks", flush=True)
     picture, middle = "230x200+245+60", "80x80+200+95"
-    with Game(screen, program, folder, "outdoor", "--size", "480x270") as game:
+    with Game(screen, program, folder / "outdoor", "outdoor", "--size", "480x270") as game:
         game.shot_when("start", "the picture is not black", lambda p: brightness(p, picture) > 0.05)
         game.xdotool("mousemove", "240", "135", "click", "1")
         time.sleep(2.0)
@@ -254,6 +260,53 @@ def play_outdoor(screen, program, folder):
         game.quit()
 
 
+def play_broken_shaders(screen, program, folder):
+    print("cornell: a shader is broken and mended while playing", flush=True)
+    shaders = folder / "shader"
+    shutil.rmtree(shaders, ignore_errors=True)
+    shutil.copytree(pathlib.Path(__file__).parents[2] / "shader", shaders)
+    tonemap = shaders / "passes" / "tonemap.frag"
+    good = tonemap.read_text()
+    screen.env["SECONDLIGHT_SHADERS"] = str(shaders)
+    picture, message = "200x120+300+100", "400x40+10+315"
+    with Game(screen, program, folder / "shaders", "cornell", "--size", "640x360") as game:
+        game.shot_when("start", "the picture is not black", lambda p: brightness(p, picture) > 0.02)
+        lit = game.settled_shot("lit", message)
+        tonemap.write_text(good.replace("void main", "void broken_main"))
+        game.shot_when("broken", "the error is shown", lambda p: difference(lit, p, message) > 0.05)
+        check(difference(lit, game.shot("last_good"), picture) < 0.01, "over the last good picture")
+        tonemap.write_text(good)
+        game.shot_when("mended", "and goes away when it is mended", lambda p: difference(lit, p, message) < 0.01)
+
+        # A program that was never good: there is no picture until somebody writes the file again.
+        gather = shaders / "gi" / "rsm_grid.frag"
+        good = gather.read_text()
+        gather.write_text("#error broken")
+        time.sleep(1.0)
+        game.tap("g", 3)  # off, rsm_exact, rsm_grid
+        game.shot_when("never_good", "a shader that was never good gives no picture",
+                       lambda p: brightness(p, "200x60+300+60") == 0.0)
+        game.xdotool("key", "g")
+        game.shot_when("other_method", "another method gives one again",
+                       lambda p: difference(lit, p, picture) < 0.01)
+        game.tap("g", 3)
+        gather.write_text(good)
+        game.shot_when("mended_again", "mended, it gives one too", lambda p: brightness(p, "200x60+300+60") > 0.02)
+        game.xdotool("windowfocus", game.window)
+        game.xdotool("key", "ctrl+q")
+        check(game.process.wait(PATIENCE) == 0, "it ends with code 0")
+        bad = [line for line in game.log().splitlines() if "OpenGL:" in line]
+        check(not bad, f"the driver saw no error {bad}")
+    del screen.env["SECONDLIGHT_SHADERS"]
+
+
+def play_without_camera(screen, program, folder):
+    print("empty: no camera", flush=True)
+    with Game(screen, program, folder / "empty", "empty", "--size", "640x360", "--set", "camera.active=false") as game:
+        game.shot_when("message", "the window says why it is empty", lambda p: brightness(p, "400x40+120+160") > 0.01)
+        game.quit()
+
+
 def refuse(screen, program):
     print("no window to be had", flush=True)
     blind = {key: value for key, value in screen.env.items() if key != "DISPLAY"}
@@ -273,6 +326,8 @@ def main():
         refuse(screen, program)
         play_cornell(screen, program, folder)
         play_outdoor(screen, program, folder)
+        play_broken_shaders(screen, program, folder)
+        play_without_camera(screen, program, folder)
     return 0
 
 

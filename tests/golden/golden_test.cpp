@@ -81,7 +81,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Shot{"indoor_exact", "indoor", "rsm_exact", ""}, Shot{"indoor_disc", "indoor", "rsm_disc", ""},
                     Shot{"indoor_grid_artefact", "indoor", "rsm_grid:paper-artefact", ""},
                     Shot{"cornell_exact", "cornell", "rsm_exact", ""}, Shot{"cornell_irradiance", "cornell", "rsm_exact", "irradiance"},
-                    Shot{"cornell_normal", "cornell", "off", "normal"}, Shot{"plates_exact", "plates", "rsm_exact", ""},
+                    Shot{"cornell_normal", "cornell", "off", "normal"}, Shot{"plates_irradiance", "plates", "rsm_exact", "irradiance"},
                     Shot{"outdoor_rsm_flux", "outdoor", "rsm_disc", "rsm_flux"}, Shot{"empty", "empty", "rsm_disc", ""}),
     [](const auto& shot) { return shot.param.name; });
 

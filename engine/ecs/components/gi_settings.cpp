@@ -87,7 +87,7 @@ void visit_fields(FieldVisitor& visit, RsmDisc& disc) {
                 {.min = 0, .max = 4096, .help = "Texels read per gathering pixel, shared by all lights; more lowers noise and costs in proportion."});
     visit.field("radius", disc.radius,
                 {.min = 0, .max = 1.5, .unit = "map side",
-                 .help = "Radius of the sampled disc round the receiver's projection; less is sharper nearby and misses far light."});
+                 .help = "Radius of the sampled disc round the receiver's projection; less is steadier nearby and misses far light."});
     visit.field("rotate", disc.rotate, {.help = "Turns the pattern per pixel: banding becomes noise."});
     visit.field("interpolate", disc.interpolate, {.help = "Gathers at low resolution and fills in where neighbours agree; off gathers everywhere."});
     visit.field("low_resolution", disc.low_resolution,

@@ -41,11 +41,11 @@ struct PointLight {
     float range = 0.0f;
 };
 
-/// The sky: uniform radiance from every direction that nothing blocks. It is a light, never an ambient constant.
+/// The sky: uniform radiance from every direction that nothing blocks. Never an ambient constant: a method that cannot
+/// tell what blocks it takes no light from it.
 struct SkyLight {
     vec3 colour{0.55f, 0.75f, 1.0f};
     float luminance = 4000.0f;
-    bool lights_surfaces = true;
 };
 
 inline constexpr FieldInfo light_colour_info{.min = 0, .max = 1, .unit = "linear Rec. 709",
@@ -113,8 +113,6 @@ inline void visit_fields(FieldVisitor& visit, SkyLight& sky) {
     visit.field("luminance", sky.luminance,
                 {.min = 0, .max = 1e6, .unit = "nit", .help = "Radiance of the sky in every direction; clear day 2,000 to 8,000.",
                  .look = FieldLook::logarithmic});
-    visit.field("lights_surfaces", sky.lights_surfaces,
-                {.help = "Whether the sky lights what it sees; without, it is only drawn behind the scene."});
 }
 
 }  // namespace sl

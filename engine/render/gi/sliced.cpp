@@ -15,7 +15,8 @@ constexpr std::uint32_t texels_per_slice = 32768;
 std::uint64_t work_key(const FrameInput& frame, const Rsm& rsm, const SlicedSum& sum) {
     FrameParams still = frame.params;
     still.counts.y = 0;  // the frame's number changes nothing
-    std::uint64_t key = hash_bytes(frame.scene.geometry_hash(), &still, sizeof still);
+    std::uint64_t key = hash_bytes(frame.scene.geometry_hash(), sum.name.data(), sum.name.size());
+    key = hash_bytes(key, &still, sizeof still);
     key = hash_bytes(key, &sum.params, sizeof sum.params);
     return hash_mix(hash_mix(key, rsm.key), sum.texels);
 }
@@ -48,7 +49,7 @@ GiResult sliced_sum(const FrameInput& frame, const GBuffer& gbuffer, const Rsm& 
         partial = pass.blend_add().write("partial", partial, progress.done == 0 ? Load::clear : Load::keep);
     }
 
-    GiResult result{.irradiance = graph.persistent(fmt::format("{}_irradiance", sum.name), frame.screen(Format::rgba32f)),
+    GiResult result{.irradiance = graph.persistent("irradiance", frame.screen(Format::rgba32f)),
                     .progress = static_cast<float>(progress.done) / static_cast<float>(slices)};
     if (!graph.needs_redraw(result.irradiance, 0, hash_mix(key, progress.done))) return result;
     RsmGatherParams params = sum.params;

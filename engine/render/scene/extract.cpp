@@ -111,11 +111,7 @@ void extract_lights(World& world, RenderScene& scene) {
                                 .intensity = light.colour * light.intensity, .range = light.range});
     }
     scene.sky_radiance = vec3(0.0f);
-    scene.sky_lights_surfaces = false;
-    for (auto [entity, sky] : Query<const SkyLight>(world)) {
-        scene.sky_radiance += sky.colour * sky.luminance;
-        scene.sky_lights_surfaces |= sky.lights_surfaces;
-    }
+    for (auto [entity, sky] : Query<const SkyLight>(world)) scene.sky_radiance += sky.colour * sky.luminance;
 }
 
 }  // namespace

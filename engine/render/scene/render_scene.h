@@ -56,7 +56,6 @@ struct RenderScene {
     std::vector<MaterialEntry> materials;
     std::uint64_t materials_hash = 0;
     vec3 sky_radiance{0.0f};  ///< nit
-    bool sky_lights_surfaces = false;
     std::optional<GiSettings> gi;
     Bounds bounds;  ///< of all draws
     const MeshPool* meshes = nullptr;
