@@ -3,161 +3,12 @@
 
 window_test.py PROGRAM FOLDER: screenshots and logs stay in FOLDER. Exits with 77 where a tool is missing.
 """
-import os
 import pathlib
 import shutil
-import subprocess
 import sys
 import time
 
-PATIENCE = 90.0  # s; a software rasterizer on a busy machine is slow
-
-
-def run(*command, env=None, timeout=60):
-    return subprocess.run(command, env=env, timeout=timeout, capture_output=True, text=True)
-
-
-def check(condition, sentence):
-    if not condition:
-        raise AssertionError(sentence)
-    print(f"  {sentence}: yes", flush=True)
-
-
-class Screen:
-    """A display of its own."""
-
-    def __init__(self):
-        reader, writer = os.pipe()
-        self.server = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(writer), "-screen", "0", "1024x640x24", "-nolisten", "tcp"],
-            pass_fds=[writer], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        os.close(writer)
-        with os.fdopen(reader) as numbers:
-            number = numbers.readline().strip()
-        if not number:
-            raise RuntimeError("Xvfb does not start")
-        self.env = {**os.environ, "DISPLAY": f":{number}", "LIBGL_ALWAYS_SOFTWARE": "1"}
-        self.env.pop("WAYLAND_DISPLAY", None)
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *_):
-        self.server.terminate()
-        self.server.wait()
-
-
-class Game:
-    """A running game; `part` of a screenshot is WIDTHxHEIGHT+LEFT+TOP."""
-
-    def __init__(self, screen, program, folder, scene, *flags):
-        self.env, self.folder, self.scene, self.shots = screen.env, folder, scene, 0
-        shutil.rmtree(self.folder, ignore_errors=True)
-        self.folder.mkdir(parents=True)
-        self.log_path = self.folder / "log.txt"
-        with open(self.log_path, "w") as log:
-            self.process = subprocess.Popen([program, "play", "--scene", scene, "--no-vsync", *flags],
-                                            cwd=self.folder, env=self.env, stdout=log, stderr=log)
-        self.window = self.wait("a window opens", self.find_window)
-        self.xdotool("windowfocus", self.window)
-
-    def find_window(self):
-        found = run("xdotool", "search", "--onlyvisible", "--name", "^Secondlight", env=self.env).stdout.split()
-        return found[0] if found else None
-
-    def xdotool(self, *words):
-        done = run("xdotool", *words, env=self.env)
-        if done.returncode != 0:
-            raise AssertionError(f"xdotool {' '.join(words)}: {done.stderr.strip()}")
-        return done.stdout
-
-    def tap(self, key, times):
-        """Slowly: two taps within one frame are one."""
-        for _ in range(times):
-            self.xdotool("key", key)
-            time.sleep(1.5)
-
-    def wait(self, sentence, condition, patience=PATIENCE):
-        end = time.monotonic() + patience
-        while True:
-            value = condition()
-            if value:
-                print(f"  {sentence}: yes", flush=True)
-                return value
-            if self.process.poll() is not None:
-                raise AssertionError(f"the game ended with {self.process.returncode} while waiting for: {sentence}\n"
-                                     + self.log())
-            if time.monotonic() > end:
-                raise AssertionError(f"{sentence}: not within {patience:.0f} s; see {self.folder}")
-            time.sleep(0.2)
-
-    def shot(self, name):
-        self.shots += 1
-        path = str(self.folder / f"{self.shots:02}_{name}.png")
-        done = run("import", "-silent", "-window", "root", path, env=self.env)
-        if done.returncode != 0:
-            raise AssertionError(f"import: {done.stderr.strip()}")
-        return path
-
-    def shot_when(self, name, sentence, condition):
-        """The first screenshot that satisfies the condition; the ones before it are not kept."""
-        def attempt():
-            path = self.shot(name)
-            if condition(path):
-                return path
-            self.shots -= 1
-            return None
-        return self.wait(sentence, attempt)
-
-    def settled_shot(self, name, part):
-        """A screenshot taken when nothing moves any more: texts fade and frames are late."""
-        previous = self.shot(name)
-
-        def attempt():
-            nonlocal previous
-            time.sleep(0.7)
-            self.shots -= 1
-            latest = self.shot(name + "_")
-            same = difference(previous, latest, part) == 0.0
-            os.replace(latest, previous)
-            return previous if same else None
-        return self.wait(f"'{name}' stands still", attempt)
-
-    def quit(self):
-        self.xdotool("windowfocus", self.window)
-        self.xdotool("key", "ctrl+q")
-        code = self.process.wait(PATIENCE)
-        log = self.log()
-        check(code == 0, f"Ctrl+Q ends '{self.scene}' with code 0 (got {code}; {log.strip()[-300:]})")
-        bad = [line for line in log.splitlines() if "error" in line.lower()]
-        check(not bad, f"its log has no errors {bad}")
-
-    def log(self):
-        return self.log_path.read_text()
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *_):
-        if self.process.poll() is None:
-            self.process.kill()
-            self.process.wait()
-
-
-def brightness(path, part):
-    """Mean grey of a part of a picture, 0 to 1."""
-    out = run("convert", path, "-crop", part, "+repage", "-colorspace", "Gray", "-format", "%[fx:mean]", "info:")
-    return float(out.stdout)
-
-
-def difference(one, other, part):
-    """Root mean square difference of a part of two pictures, 0 to 1."""
-    out = run("compare", "-metric", "RMSE", "-extract", part, one, other, "null:").stderr
-    return float(out[out.index("(") + 1:out.index(")")])
-
-
-def size_of(path):
-    return run("identify", "-format", "%wx%h", str(path)).stdout
+from window_driver import PATIENCE, TOOLS, Game, Screen, brightness, check, difference, run, size_of
 
 
 def play_cornell(screen, program, folder):
@@ -180,10 +31,7 @@ def play_cornell(screen, program, folder):
                        lambda p: brightness(p, picture) < 0.9 * brightness(lit, picture))
         game.xdotool("key", "o")
         game.shot_when("gi_on", "O brings the light back", lambda p: difference(lit, p, picture) < 0.01)
-        for step in range(4):
-            game.xdotool("key", "g")
-            time.sleep(1.0)
-            game.shot(f"method_{step}")
+        game.next_method(4)
         game.shot_when("methods_round", "four times G comes back to the first method",
                        lambda p: difference(lit, p, picture) < 0.01)
 
@@ -283,13 +131,13 @@ def play_broken_shaders(screen, program, folder):
         good = gather.read_text()
         gather.write_text("#error broken")
         time.sleep(1.0)
-        game.tap("g", 3)  # off, rsm_exact, rsm_grid
+        game.next_method(3)  # off, rsm_exact, rsm_grid
         game.shot_when("never_good", "a shader that was never good gives no picture",
                        lambda p: brightness(p, "200x60+300+60") == 0.0)
-        game.xdotool("key", "g")
+        game.next_method()
         game.shot_when("other_method", "another method gives one again",
                        lambda p: difference(lit, p, picture) < 0.01)
-        game.tap("g", 3)
+        game.next_method(3)
         gather.write_text(good)
         game.shot_when("mended_again", "mended, it gives one too", lambda p: brightness(p, "200x60+300+60") > 0.02)
         game.xdotool("windowfocus", game.window)
@@ -318,7 +166,7 @@ def refuse(screen, program):
 
 def main():
     program, folder = sys.argv[1], pathlib.Path(sys.argv[2]).absolute()
-    missing = [tool for tool in ("Xvfb", "xdotool", "import", "compare", "convert", "identify") if not shutil.which(tool)]
+    missing = [tool for tool in TOOLS if not shutil.which(tool)]
     if missing:
         print(f"skipped: install {', '.join(missing)} (packages xvfb, xdotool, imagemagick)")
         return 77
