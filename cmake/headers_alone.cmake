@@ -12,4 +12,4 @@ foreach(header ${headers})
 endforeach()
 add_library(headers_alone OBJECT ${alone})
 target_link_libraries(headers_alone PRIVATE sl_options sl_commands)
-
+target_compile_options(headers_alone PRIVATE -O0)

@@ -30,7 +30,7 @@ constexpr const char* keys_text =
     "Shift         faster;  wheel: speed\n"
     "G             next GI method\n"
     "O             GI off and on\n"
-    "[ ] or < >    sun round\n"
+    "[ ]           sun round (or left, right)\n"
     "up, down      sun higher, lower\n"
     "+ -           brighter, darker\n"
     "F1            editor panel\n"

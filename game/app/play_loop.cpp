@@ -118,8 +118,12 @@ void Play::window_keys(Input& input) {
     }
     if (input.pressed(Key::f1)) {
         editor_.open = !editor_.open;
-        if (editor_.open) recapture_ = window_.mouse_captured();
-        window_.capture_mouse(!editor_.open && recapture_);
+        if (editor_.open) {
+            recapture_ = window_.mouse_captured();
+            window_.capture_mouse(false);
+        } else if (recapture_) {
+            window_.capture_mouse(true);
+        }
     }
     input.mouse_captured = window_.mouse_captured();
 }

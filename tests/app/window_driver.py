@@ -1,0 +1,158 @@
+# SPDX-License-Identifier: MIT
+"""A display of its own (Xvfb), the game on it driven with xdotool, and what screenshots (ImageMagick) show."""
+import os
+import shutil
+import subprocess
+import time
+
+TOOLS = ("Xvfb", "xdotool", "import", "compare", "convert", "identify")
+PATIENCE = 90.0  # s; a software rasterizer on a busy machine is slow
+
+
+def run(*command, env=None, timeout=60):
+    return subprocess.run(command, env=env, timeout=timeout, capture_output=True, text=True)
+
+
+def check(condition, sentence):
+    if not condition:
+        raise AssertionError(sentence)
+    print(f"  {sentence}: yes", flush=True)
+
+
+class Screen:
+    """A display of its own."""
+
+    def __init__(self):
+        reader, writer = os.pipe()
+        self.server = subprocess.Popen(
+            ["Xvfb", "-displayfd", str(writer), "-screen", "0", "1024x640x24", "-nolisten", "tcp"],
+            pass_fds=[writer], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        os.close(writer)
+        with os.fdopen(reader) as numbers:
+            number = numbers.readline().strip()
+        if not number:
+            raise RuntimeError("Xvfb does not start")
+        self.env = {**os.environ, "DISPLAY": f":{number}", "LIBGL_ALWAYS_SOFTWARE": "1"}
+        self.env.pop("WAYLAND_DISPLAY", None)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.server.terminate()
+        self.server.wait()
+
+
+class Game:
+    """A running game; `part` of a screenshot is WIDTHxHEIGHT+LEFT+TOP."""
+
+    def __init__(self, screen, program, folder, scene, *flags):
+        self.env, self.folder, self.scene, self.shots = screen.env, folder, scene, 0
+        shutil.rmtree(self.folder, ignore_errors=True)
+        self.folder.mkdir(parents=True)
+        self.log_path = self.folder / "log.txt"
+        with open(self.log_path, "w") as log:
+            self.process = subprocess.Popen([program, "play", "--scene", scene, "--no-vsync", *flags],
+                                            cwd=self.folder, env=self.env, stdout=log, stderr=log)
+        self.window = self.wait("a window opens", self.find_window)
+        self.xdotool("windowfocus", self.window)
+
+    def find_window(self):
+        found = run("xdotool", "search", "--onlyvisible", "--name", "^Secondlight", env=self.env).stdout.split()
+        return found[0] if found else None
+
+    def xdotool(self, *words):
+        done = run("xdotool", *words, env=self.env)
+        if done.returncode != 0:
+            raise AssertionError(f"xdotool {' '.join(words)}: {done.stderr.strip()}")
+        return done.stdout
+
+    def next_method(self, times=1):
+        """G; the next one only when the first line of text has changed, for two taps within one frame are one."""
+        line = "230x13+12+12"
+        for _ in range(times):
+            before = self.shot("before")
+            self.xdotool("key", "g")
+            self.shot_when("method", "G changes the method", lambda p: difference(before, p, line) > 0.0)
+
+    def wait(self, sentence, condition, patience=PATIENCE):
+        end = time.monotonic() + patience
+        while True:
+            value = condition()
+            if value:
+                print(f"  {sentence}: yes", flush=True)
+                return value
+            if self.process.poll() is not None:
+                raise AssertionError(f"the game ended with {self.process.returncode} while waiting for: {sentence}\n"
+                                     + self.log())
+            if time.monotonic() > end:
+                raise AssertionError(f"{sentence}: not within {patience:.0f} s; see {self.folder}")
+            time.sleep(0.2)
+
+    def shot(self, name):
+        self.shots += 1
+        path = str(self.folder / f"{self.shots:02}_{name}.png")
+        done = run("import", "-silent", "-window", "root", path, env=self.env)
+        if done.returncode != 0:
+            raise AssertionError(f"import: {done.stderr.strip()}")
+        return path
+
+    def shot_when(self, name, sentence, condition):
+        """The first screenshot that satisfies the condition; the ones before it are not kept."""
+        def attempt():
+            path = self.shot(name)
+            if condition(path):
+                return path
+            self.shots -= 1
+            return None
+        return self.wait(sentence, attempt)
+
+    def settled_shot(self, name, part):
+        """A screenshot taken when nothing moves any more: texts fade and frames are late."""
+        previous = self.shot(name)
+
+        def attempt():
+            nonlocal previous
+            time.sleep(0.7)
+            self.shots -= 1
+            latest = self.shot(name + "_")
+            same = difference(previous, latest, part) == 0.0
+            os.replace(latest, previous)
+            return previous if same else None
+        return self.wait(f"'{name}' stands still", attempt)
+
+    def quit(self):
+        self.xdotool("windowfocus", self.window)
+        self.xdotool("key", "ctrl+q")
+        code = self.process.wait(PATIENCE)
+        log = self.log()
+        check(code == 0, f"Ctrl+Q ends '{self.scene}' with code 0 (got {code}; {log.strip()[-300:]})")
+        bad = [line for line in log.splitlines() if "error" in line.lower()]
+        check(not bad, f"its log has no errors {bad}")
+
+    def log(self):
+        return self.log_path.read_text()
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        if self.process.poll() is None:
+            self.process.kill()
+            self.process.wait()
+
+
+def brightness(path, part):
+    """Mean grey of a part of a picture, 0 to 1."""
+    out = run("convert", path, "-crop", part, "+repage", "-colorspace", "Gray", "-format", "%[fx:mean]", "info:")
+    return float(out.stdout)
+
+
+def difference(one, other, part):
+    """Root mean square difference of a part of two pictures, 0 to 1."""
+    out = run("compare", "-metric", "RMSE", "-extract", part, one, other, "null:").stderr
+    return float(out[out.index("(") + 1:out.index(")")])
+
+
+def size_of(path):
+    return run("identify", "-format", "%wx%h", str(path)).stdout
