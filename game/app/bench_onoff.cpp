@@ -139,6 +139,13 @@ double sampling_error(const SceneChoice& choice, uvec2 size, std::uint32_t rsm_s
     return nrmse(irradiance_of(choice, size).image, exact.image, exact.surface);
 }
 
+/// The map size of a method in rsm_exact's units. Throws Error for the others.
+std::uint32_t comparable_map_size(const GiSettings& settings) {
+    if (const auto* disc = std::get_if<RsmDisc>(&settings.method)) return disc->rsm_size;
+    if (const auto* exact = std::get_if<RsmExact>(&settings.method)) return exact->rsm_size;
+    fail("--error compares with rsm_exact, and {} is not in its units", gi_method_name(settings.method));
+}
+
 int run_onoff(const GlobalFlags& global, const BenchFlags& flags) {
     const uvec2 size = parse_size(flags.size);
     Headless headless(global);
@@ -149,6 +156,7 @@ int run_onoff(const GlobalFlags& global, const BenchFlags& flags) {
         Side on{.app = open_scene({.scene = scene, .gi = flags.gi, .sets = flags.sets})};
         const auto* settings = on.app.world.find<GiSettings>(active_camera(on.app.world));
         const std::string method(settings != nullptr ? gi_method_name(settings->method) : "off");
+        if (flags.error) (void)comparable_map_size(settings != nullptr ? *settings : GiSettings{GiOff{}});
         Progress progress(fmt::format("{}, {}", scene, method));
         for (std::uint32_t warm_up = 0; warm_up < 2; ++warm_up) {
             draw(off, size, warm_up, false);
@@ -161,11 +169,7 @@ int run_onoff(const GlobalFlags& global, const BenchFlags& flags) {
         }
         results.push_back(report(scene, method, off, on));
         if (flags.error) {
-            std::uint32_t rsm_size = 0;
-            if (const auto* disc = std::get_if<RsmDisc>(&settings->method)) rsm_size = disc->rsm_size;
-            if (const auto* exact = std::get_if<RsmExact>(&settings->method)) rsm_size = exact->rsm_size;
-            if (rsm_size == 0) fail("--error compares with rsm_exact, and {} is not in its units", method);
-            const double error = sampling_error({.scene = scene, .gi = flags.gi.empty() ? method : flags.gi, .sets = flags.sets}, size, rsm_size);
+            const double error = sampling_error({.scene = scene, .gi = flags.gi.empty() ? method : flags.gi, .sets = flags.sets}, size, comparable_map_size(*settings));
             fmt::print("  sampling error against rsm_exact, NRMSE of irradiance: {:.1f} %\n", 100.0 * error);
             results.back()["sampling_nrmse"] = error;
         }

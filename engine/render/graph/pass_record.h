@@ -68,7 +68,6 @@ struct PassRecord {
     std::vector<Target> targets;
     Target depth;                      ///< depth.image is none when unused
     bool depth_test = false;           ///< nearer wins (greater, reversed depth)
-    bool depth_equal_write = true;     ///< whether the depth target is written
     bool blend_add = false;
     bool cull_back = true;
     float depth_bias_slope = 0.0f;

@@ -35,12 +35,12 @@ Names names_of(const PassRecord& pass, const std::vector<ResourceRecord>& resour
 }  // namespace
 
 std::string FrameGraph::table(std::span<const Step> steps) const {
-    std::string text = fmt::format("{:<4}{:<24}{:<44}{}\n", "#", "pass", "writes", "reads");
+    std::string text = fmt::format("{:<4}{:<22}  {:<46}  {}\n", "#", "pass", "writes", "reads");
     int number = 0;
     for (const Step& step : steps) {
         const PassRecord& pass = passes_[static_cast<std::size_t>(step.pass)];
         const Names names = names_of(pass, resources_);
-        text += fmt::format("{:<4}{:<24}{:<44}{}\n", ++number, pass.name, fmt::format("{}", fmt::join(names.writes, ", ")),
+        text += fmt::format("{:<4}{:<22}  {:<46}  {}\n", ++number, pass.name, fmt::format("{}", fmt::join(names.writes, ", ")),
                             fmt::join(names.reads, ", "));
     }
     return text;
@@ -59,8 +59,15 @@ std::string FrameGraph::mermaid(std::span<const Step> steps) const {
         };
         for (const ImageRead& read : pass.reads) arrow(read.image, false);
         for (const StorageUse& use : pass.storage) arrow(use.buffer, use.written);
-        for (const ImageStore& store : pass.stores) arrow(store.image, true);
-        for (const Target& target : pass.targets) arrow(target.image, true);
+        // Adding to an image needs what was in it.
+        for (const ImageStore& store : pass.stores) {
+            arrow(store.image, false);
+            arrow(store.image, true);
+        }
+        for (const Target& target : pass.targets) {
+            if (target.load == Load::keep) arrow(target.image, false);
+            arrow(target.image, true);
+        }
         if (pass.depth.image) arrow(pass.depth.image, true);
     }
     for (const std::string& edge : edges) text += edge;
