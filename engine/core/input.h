@@ -28,6 +28,7 @@ inline constexpr std::size_t mouse_button_count = 3;
 struct Input {
     std::bitset<key_count> keys_down;     ///< held now
     std::bitset<key_count> keys_pressed;  ///< went down since the last frame, even if up again by now
+    std::bitset<key_count> keys_before;   ///< held when the last frame ended
     std::bitset<mouse_button_count> buttons_down;
     std::bitset<mouse_button_count> buttons_pressed;
     vec2 mouse_delta{0.0f};       ///< screen units, right and down; only while the mouse is captured
@@ -36,8 +37,10 @@ struct Input {
 
     bool down(Key key) const { return keys_down[static_cast<std::size_t>(key)]; }
     bool pressed(Key key) const { return keys_pressed[static_cast<std::size_t>(key)]; }
-    /// Held, or tapped between two frames: for what goes on as long as a key is down.
-    bool active(Key key) const { return down(key) || pressed(key); }
+    /// Held at some time since the last frame, however short: for what goes on as long as a key is down.
+    bool active(Key key) const {
+        return down(key) || pressed(key) || keys_before[static_cast<std::size_t>(key)];
+    }
     bool pressed(MouseButton button) const { return buttons_pressed[static_cast<std::size_t>(button)]; }
     /// 1, -1 or 0: which of two opposite keys is active.
     float axis(Key positive, Key negative) const {
@@ -47,6 +50,7 @@ struct Input {
     void ignore_keys() {
         keys_down.reset();
         keys_pressed.reset();
+        keys_before.reset();
     }
     void ignore_mouse() {
         buttons_down.reset();
@@ -56,6 +60,7 @@ struct Input {
     }
     /// Forgets what happened in a moment and keeps what is held.
     void next_frame() {
+        keys_before = keys_down;
         keys_pressed.reset();
         buttons_pressed.reset();
         mouse_delta = vec2(0.0f);
