@@ -21,9 +21,18 @@ endif()
 target_link_libraries(sl_options INTERFACE glm::glm fmt::fmt spdlog::spdlog)
 target_compile_definitions(sl_options INTERFACE GLM_FORCE_DEPTH_ZERO_TO_ONE GLM_ENABLE_EXPERIMENTAL)
 
+# What nearly every source includes is parsed once: it takes longer than most of our own code.
+file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/precompiled.cpp CONTENT "")
+add_library(sl_headers OBJECT ${CMAKE_BINARY_DIR}/precompiled.cpp)
+target_link_libraries(sl_headers PRIVATE sl_options)
+target_precompile_headers(sl_headers PRIVATE <fmt/format.h> <fmt/ranges.h> <glm/glm.hpp> <glm/gtc/quaternion.hpp> <spdlog/spdlog.h>
+                                             <algorithm> <array> <filesystem> <functional> <map> <memory> <optional> <set>
+                                             <span> <string> <unordered_map> <variant> <vector>)
+
 # sl_library(NAME [folders...] LINK libs...): a static library of every .cpp directly in the given folders, main.cpp apart.
+# OWN_HEADERS: it brings a precompiled header of its own.
 function(sl_library name)
-    cmake_parse_arguments(ARG "" "" "FOLDERS;LINK" ${ARGN})
+    cmake_parse_arguments(ARG "OWN_HEADERS" "" "FOLDERS;LINK" ${ARGN})
     set(sources)
     foreach(folder ${ARG_FOLDERS})
         file(GLOB found CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp)
@@ -32,6 +41,9 @@ function(sl_library name)
     endforeach()
     if(sources)
         add_library(${name} STATIC ${sources})
+        if(NOT ARG_OWN_HEADERS)
+            target_precompile_headers(${name} REUSE_FROM sl_headers)
+        endif()
         target_link_libraries(${name} PUBLIC sl_options ${ARG_LINK})
     else()
         add_library(${name} INTERFACE)

@@ -6,6 +6,7 @@
 
 #include "engine/core/clock.h"
 #include "engine/core/input.h"
+#include "engine/core/log.h"
 #include "engine/ecs/components.h"
 #include "engine/ecs/query.h"
 #include "game/notice.h"
@@ -30,6 +31,7 @@ void switch_method(World& world, Entity camera, std::size_t to) {
     const std::string_view name = gi_method_names()[to];
     const GiMethod method = keys.kept[to] ? *keys.kept[to] : make_gi_method(name);
     world.add(camera, GiSettings{method});
+    log::info("GI: {}", name);
     world.resource<Notice>().say(fmt::format("GI: {}\n{}", name, gi_method_claims(method)));
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "game/voxel_content.h"
 
+#include <set>
+
 #include "engine/ecs/components.h"
 #include "engine/ecs/parent.h"
 #include "engine/ecs/query.h"
@@ -83,13 +85,27 @@ void mesh_changed_chunk(World& world, Entity owner, VoxelContent& content, const
     world.get<ChunkMesh>(found->second) = built;
 }
 
+/// An entity that lost its generator, or was destroyed, leaves chunks and a volume behind.
 void drop_orphans(World& world) {
-    // An entity that lost its generator, or was destroyed, leaves chunks behind.
     std::vector<Entity> orphans;
     for (auto [entity, chunk, parent] : Query<const ChunkMesh, const Parent>(world)) {
         if (!world.alive(parent.entity) || !world.has<VoxelGenerator>(parent.entity)) orphans.push_back(entity);
     }
     for (const Entity orphan : orphans) drop_chunk(world, orphan);
+
+    std::vector<Entity> emptied;
+    std::set<Handle<VoxelVolume>> held;
+    for (auto [entity, content] : Query<const VoxelContent>(world)) {
+        world.has<VoxelGenerator>(entity) ? void(held.insert(content.volume)) : emptied.push_back(entity);
+    }
+    for (const Entity entity : emptied) world.remove<VoxelContent>(entity);
+    auto& volumes = world.resource<VoxelVolumes>();
+    if (volumes.size() == held.size()) return;
+    std::vector<Handle<VoxelVolume>> unheld;
+    volumes.each([&](Handle<VoxelVolume> handle, const VoxelVolume&) {
+        if (!held.contains(handle)) unheld.push_back(handle);
+    });
+    for (const auto handle : unheld) volumes.erase(handle);
 }
 
 void count_stats(World& world, std::size_t remeshed) {

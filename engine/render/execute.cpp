@@ -33,6 +33,15 @@ GLuint make_vertex_array() {
     return id;
 }
 
+/// A named group of calls in the driver's messages and in frame debuggers.
+class DebugGroup {
+  public:
+    explicit DebugGroup(const std::string& name) { glPushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, -1, name.c_str()); }
+    ~DebugGroup() { glPopDebugGroup(); }
+    DebugGroup(const DebugGroup&) = delete;
+    DebugGroup& operator=(const DebugGroup&) = delete;
+};
+
 }  // namespace
 
 Executor::Executor(std::filesystem::path shader_folder) : programs_(std::move(shader_folder)) {
@@ -54,16 +63,11 @@ void Executor::run(FrameGraph& graph, std::span<const Step> steps, const OnStep&
     live_textures_.clear();
     live_buffers_.clear();
     if (timing_) timers_.begin_frame();
-    for (std::size_t i = 0; i < steps.size(); ++i) {
-        const PassRecord& pass = graph.passes()[static_cast<std::size_t>(steps[i].pass)];
-        if (on_step) on_step(i, steps.size(), pass.name);
-        if (timing_) timers_.begin_span(pass.name);
-        glPushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, -1, pass.name.c_str());
-        allocate(graph, pass);
-        run_pass(graph, pass);
-        glPopDebugGroup();
-        if (timing_) timers_.end_span();
-        release(graph, steps[i]);
+    try {
+        run_steps(graph, steps, on_step);
+    } catch (...) {  // a shader that does not build, or a caller who wants to stop
+        timers_.abandon_frame();
+        throw;
     }
     if (timing_) timers_.end_frame();
     graph.commit(steps);
@@ -74,7 +78,22 @@ void Executor::run(FrameGraph& graph, std::span<const Step> steps, const OnStep&
     std::erase_if(free_textures_, stale);
 }
 
-const std::vector<std::pair<std::string, double>>& Executor::finished_timings() {
+void Executor::run_steps(const FrameGraph& graph, std::span<const Step> steps, const OnStep& on_step) {
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        const PassRecord& pass = graph.passes()[static_cast<std::size_t>(steps[i].pass)];
+        if (on_step) on_step(i, steps.size(), pass.name);
+        if (timing_) timers_.begin_span(pass.name, pass.group);
+        {
+            const DebugGroup group(pass.name);
+            allocate(graph, pass);
+            run_pass(graph, pass);
+        }
+        if (timing_) timers_.end_span();
+        release(graph, steps[i]);
+    }
+}
+
+const std::vector<gl::SpanTime>& Executor::finished_timings() {
     timers_.finish();
     return timers_.newest();
 }

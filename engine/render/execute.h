@@ -37,11 +37,12 @@ class Executor {
     /// Off by default: a software rasterizer finishes each pass before the next to time it, which slows the frame.
     void set_timing(bool on) { timing_ = on; }
     /// Milliseconds per pass of the last frame; waits for it. Empty when timing is off.
-    const std::vector<std::pair<std::string, double>>& finished_timings();
+    const std::vector<gl::SpanTime>& finished_timings();
     /// Bytes of all textures held.
     std::uint64_t texture_bytes() const;
 
   private:
+    void run_steps(const FrameGraph& graph, std::span<const Step> steps, const OnStep& on_step);
     void run_pass(const FrameGraph& graph, const PassRecord& pass);
     void bind_inputs(const FrameGraph& graph, const PassRecord& pass, const gl::Program& program);
     void bind_params(const PassRecord& pass, const gl::Program& program);
@@ -66,6 +67,7 @@ class Executor {
     std::map<std::uint32_t, std::unique_ptr<gl::Texture>> live_textures_;  ///< resource index -> transient texture
     std::map<std::uint32_t, gl::Buffer> live_buffers_;
     std::map<std::string, Pooled> persistent_;
+    std::map<std::string, gl::Buffer> persistent_buffers_;
     std::map<FramebufferKey, GLuint> framebuffers_;
     std::vector<gl::Buffer> param_buffers_;
     std::size_t next_param_buffer_ = 0;

@@ -13,6 +13,7 @@ void Executor::allocate(const FrameGraph& graph, const PassRecord& pass) {
         const ResourceRecord& resource = graph.resources()[id.index];
         if (resource.is_buffer) {
             if (resource.lifetime == Lifetime::transient) live_buffers_[id.index].reserve(resource.buffer_bytes, resource.name.c_str());
+            if (resource.lifetime == Lifetime::persistent) persistent_buffers_[resource.name].reserve(resource.buffer_bytes, resource.name.c_str());
             return;
         }
         if (resource.lifetime == Lifetime::persistent) {
@@ -63,6 +64,10 @@ GLuint Executor::native(const FrameGraph& graph, const ResourceId& id) const {
     switch (resource.lifetime) {
         case Lifetime::external: return resource.native;
         case Lifetime::persistent: {
+            if (resource.is_buffer) {
+                const auto found = persistent_buffers_.find(resource.name);
+                return found != persistent_buffers_.end() ? found->second.id() : 0;
+            }
             const auto found = persistent_.find(resource.name);
             return found != persistent_.end() ? found->second.texture->id() : 0;
         }

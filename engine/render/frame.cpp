@@ -12,7 +12,9 @@ FrameOutput build_frame(const FrameInput& frame) {
     output.direct = direct_light(frame, output.gbuffer, shadow_maps(frame));
 
     const GiMethod method = frame.scene.gi ? frame.scene.gi->method : GiMethod{GiOff{}};
+    frame.graph.group(gi_group);
     const GiResult gi = std::visit([&](const auto& settings) { return indirect_light(frame, output.gbuffer, settings); }, method);
+    frame.graph.group({});
     output.irradiance = gi.irradiance;
     output.gi_progress = gi.progress;
 

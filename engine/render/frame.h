@@ -15,6 +15,9 @@ struct FrameOutput {
     float gi_progress = 1.0f;
 };
 
+/// The group of all passes that the GI method asked for.
+inline constexpr std::string_view gi_group = "gi";
+
 /// The table of contents of a frame. No GL: each line takes image handles and returns image handles, and a pass exists
 /// because a later line asked for what it makes.
 FrameOutput build_frame(const FrameInput& frame);

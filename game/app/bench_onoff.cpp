@@ -11,6 +11,7 @@
 #include "engine/ecs/query.h"
 #include "engine/render/capture.h"
 #include "engine/render/gl/gl.h"
+#include "engine/render/pass_times.h"
 #include "engine/render/scene/extract.h"
 #include "game/app/headless.h"
 #include "game/app/progress.h"
@@ -55,6 +56,7 @@ struct Side {
     std::vector<double> frames;
     std::map<std::string, std::vector<double>> passes;
     std::vector<std::string> order;
+    std::vector<double> gi;
 };
 
 /// The camera turns a little each frame, the same way on both sides: nothing that depends on the view may be reused.
@@ -82,15 +84,12 @@ double draw(Side& side, uvec2 size, std::uint32_t frame, bool per_pass) {
 void measure(Side& side, uvec2 size, std::uint32_t frame) {
     side.frames.push_back(draw(side, size, 2 * frame, false));
     draw(side, size, 2 * frame + 1, true);
-    // Slices of one method are one row.
-    std::map<std::string, double> sums;
-    for (const auto& [pass, milliseconds] : side.renderer.executor().finished_timings()) {
-        const std::size_t tail = pass.find_last_not_of("0123456789");
-        const std::string name = tail != std::string::npos && tail + 1 < pass.size() && pass[tail] == '_' ? pass.substr(0, tail) : pass;
-        if (!sums.contains(name) && !side.passes.contains(name)) side.order.push_back(name);
-        sums[name] += milliseconds;
+    const auto& spans = side.renderer.executor().finished_timings();
+    for (const gl::SpanTime& pass : pass_times(spans)) {
+        if (!side.passes.contains(pass.name)) side.order.push_back(pass.name);
+        side.passes[pass.name].push_back(pass.milliseconds);
     }
-    for (const auto& [name, milliseconds] : sums) side.passes[name].push_back(milliseconds);
+    side.gi.push_back(gi_milliseconds(spans));
 }
 
 nlohmann::json report(const std::string& scene, const std::string& method, const Side& off, const Side& on) {
@@ -105,6 +104,8 @@ nlohmann::json report(const std::string& scene, const std::string& method, const
     fmt::print("{:<28}{}\n{:<28}{}\n", "extra time of GI", row(spread_of(differences)), "ratio on / off", row(spread_of(ratios)));
     nlohmann::json json{{"scene", scene}, {"method", method}, {"pairs", off.frames.size()}, {"frame_off_ms", json_of(spread_of(off.frames))},
                         {"frame_on_ms", json_of(spread_of(on.frames))}, {"extra_ms", json_of(spread_of(differences))}, {"ratio", json_of(spread_of(ratios))}};
+    json["gi_passes_ms"] = json_of(spread_of(on.gi));
+    fmt::print("{:<28}{}\n", "all passes for GI", row(spread_of(on.gi)));
     fmt::print("  passes with GI on, each finished before the next:\n");
     for (const std::string& name : on.order) {
         fmt::print("  {:<26}{}\n", name, row(spread_of(on.passes.at(name))));

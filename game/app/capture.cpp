@@ -37,8 +37,8 @@ void print_stats(App& app, Headless& headless, const Capture& captured) {
         for (std::size_t i = 0; i < image.data.size(); i += image.channels) sum += image.data[i];
         fmt::print("{:<28}{:.2f} %\n", "pixels gathered in full", 100.0 * sum / (double(image.width) * image.height));
     }
-    for (const auto& [pass, milliseconds] : headless.renderer.executor().finished_timings()) {
-        fmt::print("{:<28}{:.2f} ms\n", pass, milliseconds);
+    for (const gl::SpanTime& pass : headless.renderer.executor().finished_timings()) {
+        fmt::print("{:<28}{:.2f} ms\n", pass.name, pass.milliseconds);
     }
 }
 

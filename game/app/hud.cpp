@@ -121,14 +121,6 @@ void message(const std::string& text, ImVec2 point, ImU32 colour, int darkness =
 
 }  // namespace
 
-double gi_milliseconds(std::span<const std::pair<std::string, double>> passes) {
-    double sum = 0.0;
-    for (const auto& [name, milliseconds] : passes) {
-        if (name.starts_with("rsm") || name.starts_with("irradiance")) sum += milliseconds;
-    }
-    return sum;
-}
-
 void draw_hud(App& app, const HudInput& input) {
     const ImGuiViewport& screen = *ImGui::GetMainViewport();
     const float gap = ImGui::GetFontSize() * 0.6f;

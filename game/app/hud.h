@@ -33,9 +33,6 @@ struct HudInput {
     std::string failure;  ///< why there is no picture; empty when there is one
 };
 
-/// Milliseconds of the passes that exist only for indirect light.
-double gi_milliseconds(std::span<const std::pair<std::string, double>> passes);
-
 /// Text at the top left, crosshair, notice, and, when asked, the list of keys; behind all widgets.
 void draw_hud(App& app, const HudInput& input);
 

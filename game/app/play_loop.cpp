@@ -2,6 +2,7 @@
 #include "engine/core/clock.h"
 #include "engine/core/error.h"
 #include "engine/core/log.h"
+#include "engine/render/pass_times.h"
 #include "engine/render/scene/extract.h"
 #include "game/app/play.h"
 #include "game/block_tool.h"

@@ -44,11 +44,5 @@ TEST(FrameMeter, ComesToAConstantFrameTimeAndSmoothsOneThatIsNot) {
     EXPECT_NEAR(meter.milliseconds(), 5000.0, 1e-6);
 }
 
-TEST(GiMilliseconds, AddsThePassesThatIndirectLightNeeds) {
-    const std::vector<std::pair<std::string, double>> passes{
-        {"gbuffer", 1.0}, {"shadow_map_0", 2.0}, {"rsm_0", 4.0}, {"rsm_disc_low", 8.0}, {"compose", 16.0}};
-    EXPECT_EQ(gi_milliseconds(passes), 12.0);
-}
-
 }  // namespace
 }  // namespace sl

@@ -68,12 +68,11 @@ class Game:
         return done.stdout
 
     def next_method(self, times=1):
-        """G; the next one only when the first line of text has changed, for two taps within one frame are one."""
-        line = "230x13+12+12"
+        """G; the next one only when the log tells of the last, for two taps within one frame are one."""
         for _ in range(times):
-            before = self.shot("before")
+            before = self.log().count("GI: ")
             self.xdotool("key", "g")
-            self.shot_when("method", "G changes the method", lambda p: difference(before, p, line) > 0.0)
+            self.wait("G changes the method", lambda: self.log().count("GI: ") > before)
 
     def wait(self, sentence, condition, patience=PATIENCE):
         end = time.monotonic() + patience

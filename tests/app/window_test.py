@@ -165,7 +165,7 @@ def refuse(screen, program):
 
 
 def main():
-    program, folder = sys.argv[1], pathlib.Path(sys.argv[2]).absolute()
+    program, folder = str(pathlib.Path(sys.argv[1]).absolute()), pathlib.Path(sys.argv[2]).absolute()
     missing = [tool for tool in TOOLS if not shutil.which(tool)]
     if missing:
         print(f"skipped: install {', '.join(missing)} (packages xvfb, xdotool, imagemagick)")

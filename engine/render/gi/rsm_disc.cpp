@@ -28,9 +28,11 @@ struct Gather {
 
 BufferId packed_texels(const FrameInput& frame, const Rsm& maps) {
     const std::uint32_t texels = maps.size * maps.size * maps.layers;
+    BufferId packed = frame.graph.persistent_buffer("rsm_disc_texels", texels * sizeof(RsmPackedTexel));
+    if (!frame.graph.needs_redraw(packed, 0, maps.key)) return packed;
     auto pass = frame.graph.compute("rsm_disc_texels", "gi/rsm_disc_texels.comp");
     pass.read("rsm_position", maps.position).read("rsm_flux", maps.flux).dispatch((texels + 63) / 64);
-    return pass.write_storage("Texels", frame.graph.create_buffer("rsm_disc_texels", texels * sizeof(RsmPackedTexel)));
+    return pass.write_storage("Texels", packed);
 }
 
 ImageId gather_everywhere(const Gather& gather) {

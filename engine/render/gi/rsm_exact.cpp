@@ -9,9 +9,11 @@ namespace {
 /// All texels of all layers as one array, layer after layer, so that every pixel walks the same memory in order.
 BufferId texel_array(const FrameInput& frame, const Rsm& rsm) {
     const std::uint32_t texels = rsm.size * rsm.size * rsm.layers;
+    BufferId array = frame.graph.persistent_buffer("rsm_texels", texels * sizeof(RsmTexel));
+    if (!frame.graph.needs_redraw(array, 0, rsm.key)) return array;
     auto pass = frame.graph.compute("rsm_texels", "gi/rsm_texels.comp");
     pass.read("rsm_position", rsm.position).read("rsm_flux", rsm.flux).dispatch((texels + 63) / 64);
-    return pass.write_storage("Texels", frame.graph.create_buffer("rsm_texels", texels * sizeof(RsmTexel)));
+    return pass.write_storage("Texels", array);
 }
 
 }  // namespace

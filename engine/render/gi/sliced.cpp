@@ -7,8 +7,8 @@ namespace sl {
 
 namespace {
 
-/// About half a second of a two-core software rasterizer: pixels × texels in one draw.
-constexpr double samples_per_slice = 8e7;
+/// About a tenth of a second of a two-core software rasterizer: pixels × texels in one draw. A window stays live so.
+constexpr double samples_per_slice = 1.5e7;
 /// Mesa's software rasterizer ends every shader loop after 65,535 rounds, silently.
 constexpr std::uint32_t texels_per_slice = 32768;
 

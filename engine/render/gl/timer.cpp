@@ -39,10 +39,10 @@ void SpanTimers::begin_frame() {
     while (!in_flight_.empty() && collect(in_flight_.front(), false)) in_flight_.pop_front();
 }
 
-void SpanTimers::begin_span(const std::string& name) {
+void SpanTimers::begin_span(const std::string& name, const std::string& group) {
     CHECK(in_frame_ && !in_span_, "span \"{}\" begins outside a frame or inside another span", name);
     in_span_ = true;
-    current_.push_back({name, stamp(), 0});
+    current_.push_back({name, group, stamp(), 0});
 }
 
 void SpanTimers::end_span() {
@@ -55,6 +55,14 @@ void SpanTimers::end_frame() {
     CHECK(in_frame_ && !in_span_, "end_frame inside a span or without begin_frame");
     in_frame_ = false;
     in_flight_.push_back(std::exchange(current_, {}));
+}
+
+void SpanTimers::abandon_frame() {
+    in_frame_ = in_span_ = false;
+    for (const Span& span : std::exchange(current_, {})) {
+        free_queries_.push_back(span.begin);
+        if (span.end != 0) free_queries_.push_back(span.end);
+    }
 }
 
 void SpanTimers::finish() {
@@ -72,7 +80,7 @@ bool SpanTimers::collect(Frame& frame, bool wait) {
         GLuint64 begin = 0, end = 0;
         glGetQueryObjectui64v(span.begin, GL_QUERY_RESULT, &begin);
         glGetQueryObjectui64v(span.end, GL_QUERY_RESULT, &end);
-        newest_.emplace_back(span.name, end > begin ? static_cast<double>(end - begin) * 1e-6 : 0.0);
+        newest_.push_back({span.name, span.group, end > begin ? static_cast<double>(end - begin) * 1e-6 : 0.0});
         free_queries_.insert(free_queries_.end(), {span.begin, span.end});
     }
     return true;

@@ -10,6 +10,12 @@
 
 namespace sl::gl {
 
+/// What one span of a frame took.
+struct SpanTime {
+    std::string name, group;
+    double milliseconds = 0.0;
+};
+
 /// GPU time per named span, from timestamp queries, without stalling: results arrive some frames later. Spans
 /// of a frame follow each other, they do not nest. A software renderer is waited for at each end of a span.
 /// Must be destroyed while its context is current.
@@ -21,18 +27,20 @@ class SpanTimers {
     SpanTimers& operator=(const SpanTimers&) = delete;
 
     void begin_frame();
-    void begin_span(const std::string& name);
+    void begin_span(const std::string& name, const std::string& group = {});
     void end_span();
     void end_frame();
+    /// Drops the frame that is being timed, wherever it stopped.
+    void abandon_frame();
 
-    /// Milliseconds per span of the newest frame whose queries are all ready, in execution order.
-    const std::vector<std::pair<std::string, double>>& newest() const { return newest_; }
+    /// Spans of the newest frame whose queries are all ready, in execution order.
+    const std::vector<SpanTime>& newest() const { return newest_; }
     /// Waits for every frame in flight, so that newest() is the last frame.
     void finish();
 
   private:
     struct Span {
-        std::string name;
+        std::string name, group;
         GLuint begin, end;
     };
     using Frame = std::vector<Span>;
@@ -45,7 +53,7 @@ class SpanTimers {
     bool in_frame_ = false;
     bool in_span_ = false;
     std::vector<GLuint> free_queries_;
-    std::vector<std::pair<std::string, double>> newest_;
+    std::vector<SpanTime> newest_;
 };
 
 }  // namespace sl::gl

@@ -60,10 +60,11 @@ void FrameGraph::commit(std::span<const Step> steps) {
                 return target.image.index == pending.resource && target.layer == pending.layer;
             };
             return hits(pass.depth) || std::ranges::any_of(pass.targets, hits) ||
-                   std::ranges::any_of(pass.stores, [&](const auto& s) { return s.image.index == pending.resource; });
+                   std::ranges::any_of(pass.stores, [&](const auto& s) { return s.image.index == pending.resource; }) ||
+                   std::ranges::any_of(pass.storage, [&](const auto& s) { return s.written && s.buffer.index == pending.resource; });
         });
         if (!written) continue;
-        auto& state = states_->find(resource.name, resource.image);
+        auto& state = states_->find(resource);
         state.keys[pending.layer] = pending.key;
         state.last_frame = states_->frame;
     }

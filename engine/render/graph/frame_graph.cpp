@@ -5,11 +5,12 @@
 
 namespace sl {
 
-PersistentStates::State& PersistentStates::find(const std::string& name, const TextureDesc& desc) {
-    State& state = states_[name];
-    if (!(state.desc == desc) || state.keys.empty()) {
-        state.desc = desc;
-        state.keys.assign(std::max(desc.layers, 1u), 0);
+PersistentStates::State& PersistentStates::find(const ResourceRecord& resource) {
+    State& state = states_[resource.name];
+    if (!(state.image == resource.image) || state.buffer_bytes != resource.buffer_bytes || state.keys.empty()) {
+        state.image = resource.image;
+        state.buffer_bytes = resource.buffer_bytes;
+        state.keys.assign(std::max(resource.image.layers, 1u), 0);
         state.last_frame = 0;
     }
     return state;
@@ -18,6 +19,7 @@ PersistentStates::State& PersistentStates::find(const std::string& name, const T
 PassBuilder FrameGraph::add_pass(std::string_view name, PassKind kind, ProgramDesc program) {
     PassRecord& pass = passes_.emplace_back();
     pass.name = name;
+    pass.group = group_;
     pass.kind = kind;
     pass.program = std::move(program);
     return {*this, static_cast<int>(passes_.size()) - 1};
@@ -76,16 +78,23 @@ BufferId FrameGraph::import_buffer(std::string_view name, std::uint64_t bytes, s
 ImageId FrameGraph::persistent(std::string_view name, const TextureDesc& desc) {
     const ImageId image = create(name, desc);
     resources_[image.index].lifetime = Lifetime::persistent;
-    states_->find(std::string(name), desc);
+    states_->find(resources_[image.index]);
     return image;
 }
 
-bool FrameGraph::needs_redraw(ImageId image, std::uint32_t layer, std::uint64_t key) {
-    const ResourceRecord& record = resources_[image.index];
+BufferId FrameGraph::persistent_buffer(std::string_view name, std::uint64_t bytes) {
+    const BufferId buffer = create_buffer(name, bytes);
+    resources_[buffer.index].lifetime = Lifetime::persistent;
+    states_->find(resources_[buffer.index]);
+    return buffer;
+}
+
+bool FrameGraph::needs_redraw(ResourceId resource, std::uint32_t layer, std::uint64_t key) {
+    const ResourceRecord& record = resources_[resource.index];
     CHECK(record.lifetime == Lifetime::persistent, "'{}' does not survive frames", record.name);
     if (key == 0) key = 1;
-    if (states_->find(record.name, record.image).keys[layer] == key) return false;
-    pending_.push_back({image.index, layer, key});
+    if (states_->find(record).keys[layer] == key) return false;
+    pending_.push_back({resource.index, layer, key});
     return true;
 }
 
@@ -96,7 +105,7 @@ FrameGraph::History FrameGraph::history(std::string_view name, const TextureDesc
     History result;
     result.previous = persistent(odd ? even_name : odd_name, desc);
     result.current = persistent(odd ? odd_name : even_name, desc);
-    const auto& previous = states_->find(odd ? even_name : odd_name, desc);
+    const auto& previous = states_->find(resources_[result.previous.index]);
     result.valid = previous.keys[0] != 0 && previous.last_frame + 1 == states_->frame;
     pending_.push_back({result.current.index, 0, 1});
     return result;

@@ -67,6 +67,8 @@ class FrameGraph {
   public:
     explicit FrameGraph(PersistentStates& states) : states_(&states) {}
 
+    /// Passes added from now on belong to this part of the frame; empty: to none.
+    void group(std::string_view name) { group_ = name; }
     PassBuilder fullscreen(std::string_view name, std::string_view fragment);
     PassBuilder compute(std::string_view name, std::string_view shader);
     PassBuilder geometry(std::string_view name, std::string_view vertex, std::string_view fragment);
@@ -78,9 +80,10 @@ class FrameGraph {
     BufferId import_buffer(std::string_view name, std::uint64_t bytes, std::uint32_t native);
     /// An image that survives frames under its name.
     ImageId persistent(std::string_view name, const TextureDesc& desc);
-    /// Whether a layer of a persistent image must be drawn: its contents were not made from `key`. Remembers that they
+    BufferId persistent_buffer(std::string_view name, std::uint64_t bytes);
+    /// Whether a layer of a persistent image (or a buffer: layer 0) must be drawn: its contents were not made from `key`. Remembers that they
     /// will be, once a pass that writes the layer has run.
-    bool needs_redraw(ImageId image, std::uint32_t layer, std::uint64_t key);
+    bool needs_redraw(ResourceId resource, std::uint32_t layer, std::uint64_t key);
     /// Last frame's and this frame's image under one name; `valid` is false in the first frame and after a resize.
     struct History {
         ImageId previous, current;
@@ -126,6 +129,7 @@ class FrameGraph {
     std::vector<std::uint32_t> wanted_;
     std::vector<PendingKey> pending_;
     ImageId black_;
+    std::string group_;
 };
 
 }  // namespace sl

@@ -59,6 +59,7 @@ struct ParamBlock {
 /// Everything the executor needs to run a pass: plain data, so that a frame can be inspected without a GPU.
 struct PassRecord {
     std::string name;
+    std::string group;  ///< which part of the frame asked for it; times are summed by it
     PassKind kind = PassKind::fullscreen;
     ProgramDesc program;
     std::vector<ImageRead> reads;

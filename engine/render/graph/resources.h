@@ -40,17 +40,18 @@ struct ResourceRecord {
     std::vector<int> writers;        ///< pass that made each version; -1 for version 0
 };
 
-/// What is known, across frames, about the contents of persistent images: for each layer, the key that it was last
-/// drawn from. Holds no GL.
+/// What is known, across frames, about the contents of persistent images and buffers: for each layer, the key that it
+/// was last made from. Holds no GL.
 class PersistentStates {
   public:
     struct State {
-        TextureDesc desc;
+        TextureDesc image;
+        std::uint64_t buffer_bytes = 0;
         std::vector<std::uint64_t> keys;  ///< per layer; 0 = nothing drawn
         std::uint64_t last_frame = 0;
     };
 
-    State& find(const std::string& name, const TextureDesc& desc);
+    State& find(const ResourceRecord& resource);
     /// Forgets all contents (after a lost or replaced executor).
     void clear() { states_.clear(); }
     std::uint64_t frame = 0;

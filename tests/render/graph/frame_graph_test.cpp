@@ -116,6 +116,36 @@ TEST(FrameGraph, UnchangedPersistentLayersAreNotDrawnAgain) {
     EXPECT_THAT(frame(1, 3), ElementsAre("shadow_1", "light"));
 }
 
+TEST(FrameGraph, APersistentBufferIsMadeOncePerKeyAndSize) {
+    PersistentStates states;
+    const auto frame = [&](std::uint64_t key, std::uint64_t bytes) {
+        return run_frame(states, [&](FrameGraph& graph) {
+            BufferId list = graph.persistent_buffer("list", bytes);
+            if (graph.needs_redraw(list, 0, key)) list = graph.compute("fill", "f.comp").write_storage("List", list);
+            auto use = graph.fullscreen("use", "u.frag");
+            use.storage("List", list);
+            graph.want(use.create("colour", screen));
+        });
+    };
+    EXPECT_THAT(frame(1, 64), ElementsAre("fill", "use"));
+    EXPECT_THAT(frame(1, 64), ElementsAre("use"));
+    EXPECT_THAT(frame(2, 64), ElementsAre("fill", "use"));
+    EXPECT_THAT(frame(2, 128), ElementsAre("fill", "use")) << "another size has forgotten";
+}
+
+TEST(FrameGraph, PassesKnowWhichPartOfTheFrameAskedForThem) {
+    PersistentStates states;
+    FrameGraph graph(states);
+    (void)graph.fullscreen("before", "b.frag");
+    graph.group("part");
+    (void)graph.fullscreen("within", "w.frag");
+    graph.group({});
+    (void)graph.fullscreen("after", "a.frag");
+    std::vector<std::string> groups;
+    for (const PassRecord& pass : graph.passes()) groups.push_back(pass.group);
+    EXPECT_THAT(groups, ElementsAre("", "part", ""));
+}
+
 TEST(FrameGraph, AMapThatNobodyReadIsStillToBeDrawnLater) {
     PersistentStates states;
     const auto frame = [&](bool read) {
