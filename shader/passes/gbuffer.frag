@@ -17,6 +17,5 @@ void main() {
     albedo = vec4(base_colour_of(surface, uv, vertex_tint), 1.0);
     normal = octahedral_encode(normalize(normal_ws)) * 0.5 + 0.5;
     material = vec4(surface.base_colour.a, surface.emission.a, surface.specular.x, 0.0);
-    // A glowing texture glows in its own colour. 65504 is the largest half float.
-    emission = vec4(min(surface.emission.rgb * (surface.texture.x == no_texture ? vec3(1.0) : albedo.rgb), vec3(65504.0)), 0.0);
+    emission = vec4(min(surface_emission(surface, albedo.rgb), vec3(65504.0)), 0.0);  // the largest half float
 }

@@ -20,4 +20,15 @@ struct MaterialParams {
     uvec4 texture;     ///< x: layer of the texture array, or no_texture
 };
 
+/// Base colour at a point; `texel` is the texture's colour there, which counts only where the material has one.
+SHARED_FN vec3 surface_colour(MaterialParams material, vec3 texel, vec3 vertex_colour) {
+    vec3 colour = vec3(material.base_colour) * vertex_colour;
+    return material.texture.x == no_texture ? colour : colour * texel;
+}
+
+/// Emitted radiance at a point, nit: a glowing texture glows in its own colour.
+SHARED_FN vec3 surface_emission(MaterialParams material, vec3 colour) {
+    return material.texture.x == no_texture ? vec3(material.emission) : vec3(material.emission) * colour;
+}
+
 SHARED_END

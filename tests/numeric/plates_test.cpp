@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Closed forms: a plate lit evenly by parallel light is a uniform Lambertian emitter of radiosity B = ρE, and a receiver
-// sees it under a form factor that is known exactly (Siegel & Howell, view factors from a differential element).
-#include <cmath>
-
+// sees it under a form factor that is known exactly.
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "tests/support/closed_forms.h"
 #include "tests/support/gl_test.h"
 #include "tests/support/scene_builder.h"
 
@@ -13,28 +12,8 @@ namespace {
 
 constexpr float albedo = 0.5f, illuminance = 1000.0f;
 
-/// Receiver parallel to a rectangle a × b at distance c, below one of its corners.
-double parallel_corner(double a, double b, double c) {
-    const double x = a / c, y = b / c, rx = std::sqrt(1 + x * x), ry = std::sqrt(1 + y * y);
-    return (x / rx * std::atan(y / rx) + y / ry * std::atan(x / ry)) / (2 * M_PI);
-}
-
-/// The same below any point: four corners with signs.
-double parallel(double left, double right, double near, double far, double c) {
-    const auto corner = [&](double a, double b) { return std::copysign(1.0, a) * std::copysign(1.0, b) * parallel_corner(std::abs(a), std::abs(b), c); };
-    return corner(right, far) - corner(left, far) - corner(right, near) + corner(left, near);
-}
-
-/// Receiver facing along a wall's foot: height a, width b starting opposite the receiver, distance c.
-double perpendicular_half(double a, double b, double c) {
-    const double x = a / b, y = c / b, r = std::sqrt(x * x + y * y);
-    return (std::atan(1 / y) - y / r * std::atan(1 / r)) / (2 * M_PI);
-}
-
-double perpendicular(double left, double right, double height, double c) {
-    const auto half = [&](double b) { return std::copysign(1.0, b) * perpendicular_half(height, std::abs(b), c); };
-    return half(right) - half(left);
-}
+using closed_form::parallel;
+using closed_form::perpendicular;
 
 RenderScene::Light sun(vec3 direction) {
     return {.kind = RenderScene::Light::Kind::directional, .direction = glm::normalize(direction), .intensity = vec3(illuminance),
@@ -103,7 +82,7 @@ TEST_F(Plates, DiscOnItsAxis) {
     builder.add(sun(vec3(0, 1, 0)));
     builder.look(vec3(0, 0.25f, 0), vec3(0, -1, 0), vec3(0, 0, -1), 0.01f);
     builder.use(RsmExact{.rsm_size = 512});
-    const double truth = albedo * illuminance * 0.25 / (0.25 + 0.09);
+    const double truth = albedo * illuminance * closed_form::disc(0.5, 0.3);
     const Errors errors = errors_against(render_irradiance(*renderer, builder.scene(), 3, 3), [&](vec3) { return truth; });
     EXPECT_EQ(errors.count, 9);
     EXPECT_LT(errors.worst, 0.005) << "the mesh is a polygon of 64 corners, 0.16 % smaller than the disc";

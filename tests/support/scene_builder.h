@@ -15,18 +15,17 @@ class SceneBuilder {
     SceneBuilder& operator=(const SceneBuilder&) = delete;
 
     /// A purely diffuse shape; `place` is world_from_local.
-    void add(Shape shape, const mat4& place, vec3 albedo) {
+    void add(Shape shape, const mat4& place, vec3 albedo) { add(make_shape_mesh(shape), place, matte(albedo)); }
+    /// Any mesh of any material.
+    void add(MeshData mesh, const mat4& place, const Material& material) {
         RenderScene::Draw draw;
-        draw.mesh = meshes_.insert(make_shape_mesh(shape));
+        draw.mesh = meshes_.insert(std::move(mesh));
         draw.world_from_local = place;
         draw.first_material = static_cast<std::uint32_t>(scene_.materials.size());
         draw.bounds = transformed(meshes_.at(draw.mesh).bounds, place);
-        draw.content = hash_bytes(hash_bytes(scene_.draws.size() + 1, &place, sizeof place), &albedo, sizeof albedo);
-        Material material;
-        material.base_colour = albedo;
-        material.specular = 0.0f;
+        draw.content = hash_bytes(hash_bytes(scene_.draws.size() + 1, &place, sizeof place), &material.base_colour, sizeof(vec3));
         scene_.materials.push_back({material, -1});
-        scene_.materials_hash = hash_bytes(scene_.materials_hash, &albedo, sizeof albedo);
+        scene_.materials_hash = hash_bytes(scene_.materials_hash, &material.base_colour, sizeof(vec3));
         scene_.bounds.add(draw.bounds);
         scene_.draws.push_back(draw);
     }
@@ -36,6 +35,13 @@ class SceneBuilder {
     }
     void use(const GiMethod& method) { scene_.gi = GiSettings{method}; }
     RenderScene& scene() { return scene_; }
+
+    static Material matte(vec3 albedo) {
+        Material material;
+        material.base_colour = albedo;
+        material.specular = 0.0f;
+        return material;
+    }
 
   private:
     MeshPool meshes_;

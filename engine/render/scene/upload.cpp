@@ -1,31 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "engine/render/scene/upload.h"
 
-#include "shared/scene.h"
+#include "engine/render/scene/rows.h"
 
 namespace sl {
-
-namespace {
-
-mat4 cofactors(const mat4& matrix) {
-    mat4 result(0.0f);
-    result[0] = vec4(glm::cross(vec3(matrix[1]), vec3(matrix[2])), 0.0f);
-    result[1] = vec4(glm::cross(vec3(matrix[2]), vec3(matrix[0])), 0.0f);
-    result[2] = vec4(glm::cross(vec3(matrix[0]), vec3(matrix[1])), 0.0f);
-    // A mirrored mesh turns its winding and its cofactors alike; the sign keeps the normal outward.
-    const float sign = glm::dot(vec3(matrix[0]), vec3(result[0])) < 0.0f ? -1.0f : 1.0f;
-    return sign * result;
-}
-
-MaterialParams material_params(const MaterialEntry& entry) {
-    const Material& m = entry.material;
-    return {.base_colour = vec4(m.base_colour, m.roughness),
-            .emission = vec4(m.emission_colour * m.emission, m.metallic),
-            .specular = vec4(m.specular, 0, 0, 0),
-            .texture = uvec4(entry.texture_layer >= 0 ? static_cast<std::uint32_t>(entry.texture_layer) : no_texture, 0, 0, 0)};
-}
-
-}  // namespace
 
 DrawList SceneInputs::list(const std::vector<std::uint32_t>& draws_) const {
     auto chosen = std::make_shared<std::vector<DrawCall>>();
@@ -82,7 +60,7 @@ SceneInputs GpuScene::upload(FrameGraph& graph, const RenderScene& scene, const 
         inputs.calls.push_back({.vertex_buffer = mesh.vertices.id(), .index_buffer = mesh.indices.id(),
                                 .index_count = mesh.index_count, .draw_index = static_cast<std::uint32_t>(draws.size())});
         inputs.triangles += mesh.index_count / 3;
-        draws.push_back({.world_from_local = draw.world_from_local, .normal_from_local = cofactors(draw.world_from_local),
+        draws.push_back({.world_from_local = draw.world_from_local, .normal_from_local = normal_matrix(draw.world_from_local),
                          .first_material = uvec4(draw.first_material, 0, 0, 0)});
     }
     // A mesh that no draw names any more has left the scene.

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "engine/render/reference/emitters.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sl {
+
+Emitters::Emitters(const TraceScene& scene) {
+    double total = 0.0;
+    std::vector<double> power, area;
+    for (std::uint32_t draw = 0; draw < scene.draw_count(); ++draw) {
+        for (std::uint32_t triangle = 0; triangle < scene.triangle_count(draw); ++triangle) {
+            const vec3 radiance = scene.plain_emission(draw, triangle);
+            if (radiance.x + radiance.y + radiance.z <= 0.0f) continue;
+            const auto corners = scene.corners(draw, triangle);
+            const double size = 0.5 * glm::length(glm::cross(dvec3(corners[1] - corners[0]), dvec3(corners[2] - corners[0])));
+            if (!(size > 0.0)) continue;
+            triangles_.push_back({corners, draw, triangle, 0.0f, 0.0f});
+            area.push_back(size);
+            power.push_back(size * (radiance.x + radiance.y + radiance.z));
+            total += power.back();
+        }
+    }
+    double before = 0.0;
+    for (std::size_t i = 0; i < triangles_.size(); ++i) {
+        Glowing& glowing = triangles_[i];
+        glowing.share_before = static_cast<float>(before / total);
+        glowing.density = static_cast<float>(power[i] / (total * area[i]));
+        densities_[key(glowing.draw, glowing.triangle)] = glowing.density;
+        before += power[i];
+    }
+}
+
+EmitterSample Emitters::sample(vec2 xi) const {
+    const auto after = std::upper_bound(triangles_.begin(), triangles_.end(), xi.x, [](float value, const Glowing& g) { return value < g.share_before; });
+    const Glowing& glowing = *(after - 1);
+    const float next = after == triangles_.end() ? 1.0f : after->share_before;
+    // What chose the triangle, stretched back to the whole interval, is as good as a number of its own.
+    const float x = std::clamp((xi.x - glowing.share_before) / std::max(next - glowing.share_before, 1e-20f), 0.0f, 0.99999994f);
+    const float root = std::sqrt(x);
+    const float u = root * (1.0f - xi.y), v = root * xi.y;
+    EmitterSample result;
+    result.position = (1.0f - u - v) * glowing.corners[0] + u * glowing.corners[1] + v * glowing.corners[2];
+    result.hit = {.draw = glowing.draw, .triangle = glowing.triangle, .u = u, .v = v};
+    result.density = glowing.density;
+    return result;
+}
+
+float Emitters::density(const TriangleHit& hit) const {
+    if (densities_.empty()) return 0.0f;
+    const auto found = densities_.find(key(hit.draw, hit.triangle));
+    return found != densities_.end() ? found->second : 0.0f;
+}
+
+}  // namespace sl

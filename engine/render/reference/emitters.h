@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <unordered_map>
+
+#include "engine/render/reference/trace_scene.h"
+
+namespace sl {
+
+/// A point on a glowing triangle, drawn by what it gives out.
+struct EmitterSample {
+    vec3 position;
+    TriangleHit hit;
+    float density = 0.0f;  ///< per m²
+};
+
+/// All glowing triangles of a scene. Triangles are drawn in proportion to area times radiance (without textures).
+class Emitters {
+  public:
+    explicit Emitters(const TraceScene& scene);
+
+    bool empty() const { return triangles_.empty(); }
+    /// xi in [0, 1)²; not when empty.
+    EmitterSample sample(vec2 xi) const;
+    /// Density, per m², with which `sample` draws a point of this triangle; 0 for one that does not glow.
+    float density(const TriangleHit& hit) const;
+
+  private:
+    struct Glowing {
+        std::array<vec3, 3> corners;
+        std::uint32_t draw, triangle;
+        float density;       ///< per m²
+        float share_before;  ///< sum of the shares of those before it
+    };
+    static std::uint64_t key(std::uint32_t draw, std::uint32_t triangle) { return (std::uint64_t{draw} << 32) | triangle; }
+
+    std::vector<Glowing> triangles_;
+    std::unordered_map<std::uint64_t, float> densities_;
+};
+
+}  // namespace sl

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#include "engine/render/scene/rows.h"
+
+namespace sl {
+
+MaterialParams material_params(const MaterialEntry& entry) {
+    const Material& m = entry.material;
+    return {.base_colour = vec4(m.base_colour, m.roughness),
+            .emission = vec4(m.emission_colour * m.emission, m.metallic),
+            .specular = vec4(m.specular, 0, 0, 0),
+            .texture = uvec4(entry.texture_layer >= 0 ? static_cast<std::uint32_t>(entry.texture_layer) : no_texture, 0, 0, 0)};
+}
+
+mat4 normal_matrix(const mat4& matrix) {
+    mat4 result(0.0f);
+    result[0] = vec4(glm::cross(vec3(matrix[1]), vec3(matrix[2])), 0.0f);
+    result[1] = vec4(glm::cross(vec3(matrix[2]), vec3(matrix[0])), 0.0f);
+    result[2] = vec4(glm::cross(vec3(matrix[0]), vec3(matrix[1])), 0.0f);
+    // A mirrored mesh turns its winding and its cofactors alike; the sign keeps the normal outward.
+    const float sign = glm::dot(vec3(matrix[0]), vec3(result[0])) < 0.0f ? -1.0f : 1.0f;
+    return sign * result;
+}
+
+}  // namespace sl
