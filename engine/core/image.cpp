@@ -20,6 +20,7 @@ constexpr int max_side = 1 << 16;
 constexpr std::uint64_t max_pixels = std::uint64_t{1} << 28;
 constexpr std::uint64_t max_compression = 100000;  // beyond what any picture reaches: the header lies
 constexpr const char* layer_order = "secondlight:layers";
+constexpr const char* note_name = "secondlight:note";
 
 std::string first_line(const std::string& text) {
     return text.substr(0, text.find('\n'));
@@ -59,6 +60,12 @@ std::unique_ptr<OIIO::ImageInput> open_image(const fs::path& path) {
     config["oiio:UnassociatedAlpha"] = 1;  // colours as stored, not multiplied by alpha
     auto input = OIIO::ImageInput::open(path.string(), &config);
     if (!input) fail("{}: cannot be read: {}", path.string(), first_line(OIIO::geterror()));
+    return input;
+}
+
+std::unique_ptr<OIIO::ImageInput> open_exr(const fs::path& path) {
+    auto input = open_image(path);
+    if (std::string_view(input->format_name()) != "openexr") fail("{}: it is not an EXR", path.string());
     return input;
 }
 
@@ -132,7 +139,7 @@ void split_layers(const OIIO::ImageSpec& spec, const std::vector<float>& pixels,
 
 }  // namespace
 
-void write_exr(const fs::path& path, const std::vector<ImageLayer>& layers) {
+void write_exr(const fs::path& path, const std::vector<ImageLayer>& layers, const std::string& note) {
     CHECK(!layers.empty(), "an EXR without layers");
     const Image& first = layers.front().image;
     OIIO::ImageSpec spec(static_cast<int>(first.width), static_cast<int>(first.height), 0,
@@ -153,6 +160,7 @@ void write_exr(const fs::path& path, const std::vector<ImageLayer>& layers) {
     spec.attribute("DateTime",
                    "1970:01:01 00:00:00");  // else the library writes now: equal pictures, unequal files
     spec.attribute(layer_order, order);
+    if (!note.empty()) spec.attribute(note_name, note);
 
     std::vector<float> pixels;
     pixels.reserve(std::size_t{first.width} * first.height * spec.channelnames.size());
@@ -167,14 +175,15 @@ void write_exr(const fs::path& path, const std::vector<ImageLayer>& layers) {
 }
 
 std::vector<ImageLayer> read_exr(const fs::path& path) {
-    const auto input = open_image(path);
-    if (std::string_view(input->format_name()) != "openexr") fail("{}: it is not an EXR", path.string());
+    const auto input = open_exr(path);
     std::vector<ImageLayer> layers;
     for (int part = 0; input->seek_subimage(part, 0); ++part) {
         split_layers(input->spec(), read_part(path, *input, part), layers);
     }
     return layers;
 }
+
+std::string read_exr_note(const fs::path& path) { return std::string(open_exr(path)->spec().get_string_attribute(note_name)); }
 
 void write_png(const fs::path& path, const Image& image) {
     CHECK(image.width > 0 && image.height > 0 && image.channels >= 1 && image.channels <= 4,

@@ -32,10 +32,12 @@ struct ImageLayer {
 };
 
 /// Writes all layers (same size) as 32-bit float EXR. Written beside and renamed: a failure leaves no half file.
-/// Throws Error naming the file.
-void write_exr(const std::filesystem::path& path, const std::vector<ImageLayer>& layers);
+/// `note` is any text, kept as an attribute. Throws Error naming the file.
+void write_exr(const std::filesystem::path& path, const std::vector<ImageLayer>& layers, const std::string& note = {});
 /// Reads every layer of an EXR. Throws Error naming the file and what is wrong.
 std::vector<ImageLayer> read_exr(const std::filesystem::path& path);
+/// The note of an EXR; empty when it has none. Throws like read_exr.
+std::string read_exr_note(const std::filesystem::path& path);
 
 /// Writes display-referred values in [0, 1] (already sRGB-encoded) as 8-bit PNG. Same guarantees as write_exr.
 void write_png(const std::filesystem::path& path, const Image& image);

@@ -219,6 +219,13 @@ PathTracer::PathTracer(const RenderScene& scene, uvec2 size, const TransportSett
     }
 }
 
+std::uint64_t PathTracer::content_hash() const {
+    std::uint64_t hash = hash_bytes(world_.scene.content_hash(), &frame_, sizeof frame_);
+    hash = hash_bytes(hash, world_.lights.data(), world_.lights.size() * sizeof(LightParams));
+    hash = hash_bytes(hash, world_.casts.data(), world_.casts.size());
+    return hash_bytes(hash, world_.bounces.data(), world_.bounces.size());
+}
+
 Ray PathTracer::camera_ray(uvec2 pixel, vec2 within) const {
     const vec2 size(frame_.ray_right.w, frame_.ray_up.w);
     const vec2 at = (vec2(pixel) + within) / size;

@@ -63,6 +63,8 @@ class PathTracer {
     FirstSurface first_surface(uvec2 pixel) const;
 
     const TraceScene& scene() const { return world_.scene; }
+    /// Of the scene, its lights and the view: two tracers with one hash and the same settings trace the same picture.
+    std::uint64_t content_hash() const;
 
     /// What paths walk in.
     struct World {

@@ -210,6 +210,13 @@ vec3 TraceScene::plain_emission(std::uint32_t draw, std::uint32_t triangle) cons
 std::uint32_t TraceScene::draw_count() const { return static_cast<std::uint32_t>(data_->meshes.size()); }
 std::uint32_t TraceScene::triangle_count(std::uint32_t draw) const { return static_cast<std::uint32_t>(data_->meshes[draw].triangles.size()); }
 
+std::uint64_t TraceScene::content_hash() const {
+    const auto bytes = [](std::uint64_t hash, const auto& values) { return hash_bytes(hash, values.data(), values.size() * sizeof(values[0])); };
+    std::uint64_t hash = bytes(bytes(1, data_->materials), data_->textures.texels);
+    for (const TracedMesh& mesh : data_->meshes) hash = bytes(bytes(bytes(hash, mesh.positions), mesh.vertices), mesh.triangles);
+    return hash;
+}
+
 std::uint64_t TraceScene::triangles() const {
     std::uint64_t count = 0;
     for (const TracedMesh& mesh : data_->meshes) count += mesh.triangles.size();

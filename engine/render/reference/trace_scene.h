@@ -67,6 +67,8 @@ class TraceScene {
     std::uint32_t draw_count() const;
     std::uint32_t triangle_count(std::uint32_t draw) const;
     std::uint64_t triangles() const;
+    /// Of everything that is traced: geometry, materials, textures.
+    std::uint64_t content_hash() const;
 
   private:
     struct Data;

@@ -133,10 +133,10 @@ TEST(PathTracer, WhiteFurnace) {
         wall.emission = 3.0f;
         builder.add(hollow_sphere(2.0f), mat4(1.0f), wall);
         builder.look(vec3(0.1f, 0.2f, 0.3f), vec3(1, 0, 0), vec3(0, 1, 0), 1.0f);
-        const Film film = trace_film(builder.scene(), {4, 4}, {}, 2048);
+        const Film film = trace_film(builder.scene(), {8, 8}, {}, 1536);
         const double radiance = 3.0 / (1.0 - albedo);
-        EXPECT_NEAR(mean_of(film, ""), radiance, 0.004 * radiance) << "albedo " << albedo;
-        EXPECT_NEAR(mean_of(film, "irradiance"), M_PI * radiance, 0.004 * M_PI * radiance);
+        EXPECT_NEAR(mean_of(film, ""), radiance, 0.002 * radiance) << "albedo " << albedo;
+        EXPECT_NEAR(mean_of(film, "irradiance"), M_PI * radiance, 0.002 * M_PI * radiance);
     }
 }
 

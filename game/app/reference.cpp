@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <csignal>
+#include <filesystem>
+
+#include "engine/core/error.h"
+#include "engine/core/log.h"
+#include "engine/render/displayable.h"
+#include "engine/render/reference/reference.h"
+#include "engine/render/reference/reference_file.h"
+#include "engine/render/scene/extract.h"
+#include "game/app/commands.h"
+#include "game/app/progress.h"
+
+namespace sl {
+
+namespace {
+
+struct ReferenceFlags {
+    SceneChoice choice;
+    std::string size = "640x360", bounces = "full", reflection = "full", pixel = "area", region, samples, output = "reference.exr", png;
+    std::uint32_t spp = 256, seed = 1;
+    double noise = 0.0;
+    bool no_occlusion = false, overwrite = false;
+};
+
+volatile std::sig_atomic_t stop_wanted = 0;
+
+/// The first signal lets the pass that runs come to its end, so that it is saved; the second ends at once.
+void ask_to_stop(int signal) {
+    if (stop_wanted != 0) std::_Exit(128 + signal);
+    stop_wanted = signal;
+}
+
+/// Whole numbers with a separator between them: "0,0,320,180" or "0:128".
+std::vector<std::uint32_t> numbers(const std::string& text, char separator, std::size_t count, const char* flag, const char* form) {
+    std::vector<std::uint32_t> values(count);
+    const char* at = text.data();
+    const char* end = at + text.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto parsed = std::from_chars(at, end, values[i]);
+        const bool last = i + 1 == count;
+        if (parsed.ec != std::errc() || (last ? parsed.ptr != end : parsed.ptr == end || *parsed.ptr != separator)) fail("{} '{}': write {}", flag, text, form);
+        at = parsed.ptr + 1;
+    }
+    return values;
+}
+
+FilmBlock block_of(const ReferenceFlags& flags, uvec2 size) {
+    FilmBlock block{.high = size, .last = flags.spp};
+    if (!flags.region.empty()) {
+        const auto r = numbers(flags.region, ',', 4, "--region", "X,Y,WIDTH,HEIGHT in pixels from the upper left, for example 0,0,320,180");
+        block.low = {r[0], r[1]};
+        block.high = block.low + uvec2(r[2], r[3]);
+        if (r[2] == 0 || r[3] == 0 || r[0] >= size.x || r[1] >= size.y || r[2] > size.x - r[0] || r[3] > size.y - r[1]) {
+            fail("--region {}: it is empty or reaches beyond the picture of {}x{}", flags.region, size.x, size.y);
+        }
+    }
+    if (!flags.samples.empty()) {
+        const auto range = numbers(flags.samples, ':', 2, "--samples", "FIRST:LAST, for example 128:256 for samples 128 to 255");
+        if (range[0] >= range[1]) fail("--samples {}: the range is empty", flags.samples);
+        block.first = range[0];
+        block.last = range[1];
+    }
+    if (block.last == 0) fail("--spp 0: a reference needs a sample at least");
+    return block;
+}
+
+TransportSettings transport_of(const ReferenceFlags& flags) {
+    TransportSettings transport{.occlusion = !flags.no_occlusion, .seed = flags.seed};
+    if (flags.bounces != "full") transport.bounces = static_cast<int>(numbers(flags.bounces, ' ', 1, "--bounces", "a number of reflections, or full")[0]);
+    if (transport.bounces > 10000) fail("--bounces {}: more than 10000 are the same as full", flags.bounces);
+    transport.reflection = flags.reflection == "full" ? Reflection::full : Reflection::diffuse;
+    transport.pixel_area = flags.pixel == "area";
+    if (flags.no_occlusion && (flags.bounces != "1" && flags.bounces != "full")) fail("--no-occlusion is the model of a reflective shadow map, which has one bounce: leave --bounces out");
+    if (flags.no_occlusion) transport.bounces = 1;
+    return transport;
+}
+
+Film film_to_continue(const ReferenceFlags& flags, const ReferenceInfo& info, const FilmBlock& block) {
+    if (flags.overwrite || !std::filesystem::exists(flags.output)) return Film(info.size);
+    ReferenceFile file = [&] {
+        try {
+            return read_reference(flags.output);
+        } catch (const Error& error) {
+            fail("{}; choose another -o, or --overwrite", error.what());
+        }
+    }();
+    ReferenceInfo::check_same(file.info, flags.output, info, "what is asked for (choose another -o, or --overwrite)");
+    for (const FilmBlock& known : file.film.blocks()) {
+        const bool continues = known.low == block.low && known.high == block.high && known.first == block.first;
+        if (!continues && known.overlaps(block)) {
+            fail("{}: it holds other pixels or samples of the picture; choose another -o and merge them, or --overwrite", flags.output);
+        }
+    }
+    if (!file.film.blocks().empty()) log::info("{}: continues", flags.output);
+    return std::move(file.film);
+}
+
+void write_picture(const std::string& path, const Film& film, float exposure) {
+    write_png(path, displayable("hdr", film.layers().front().image, exposure));
+}
+
+int run_reference(const ReferenceFlags& flags) {
+    const uvec2 size = parse_size(flags.size);
+    const FilmBlock block = block_of(flags, size);
+    App app = open_scene(flags.choice);
+    RenderScene scene;
+    extract(app.world, scene);
+    if (!scene.view) fail("scene '{}' has no active camera to look from", flags.choice.scene);
+    const PathTracer tracer(scene, size, transport_of(flags));
+    const ReferenceInfo info{.scene = flags.choice.scene, .content = tracer.content_hash(), .size = size, .transport = transport_of(flags)};
+    Film film = film_to_continue(flags, info, block);
+
+    std::signal(SIGINT, &ask_to_stop);
+    std::signal(SIGTERM, &ask_to_stop);
+    Progress progress(fmt::format("tracing {}", flags.choice.scene));
+    const auto done = trace_reference(
+        tracer, film, {.block = block, .noise = flags.noise},
+        [&](const ReferenceProgress& now) {
+            progress.update(static_cast<std::size_t>(now.share * 1e6), 1000000, fmt::format("{} samples, noise {:.2f} %", now.samples, 100.0 * now.noise));
+            return stop_wanted == 0;
+        },
+        [&] { write_reference(flags.output, info, film); });
+    progress.clear();
+    const double rate = done.seconds > 0.0 ? static_cast<double>(done.rays) / done.seconds * 1e-6 : 0.0;
+    fmt::print("{}: {} samples a pixel, noise {:.3f} % of the mean irradiance; {:.1f} s, {:.1f} million rays, {:.2f} million a second\n", flags.output,
+               done.samples, 100.0 * done.noise, done.seconds, static_cast<double>(done.rays) * 1e-6, rate);
+    if (!flags.png.empty()) write_picture(flags.png, film, scene.view->exposure());
+    if (stop_wanted == 0) return 0;
+    fmt::print(stderr, "stopped; the same command continues {}\n", flags.output);
+    return 128 + stop_wanted;
+}
+
+int run_merge(const std::vector<std::string>& inputs, const std::string& output) {
+    ReferenceFile merged = read_reference(inputs.front());
+    for (std::size_t i = 1; i < inputs.size(); ++i) {
+        const ReferenceFile next = read_reference(inputs[i]);
+        ReferenceInfo::check_same(merged.info, inputs.front(), next.info, inputs[i]);
+        try {
+            merged.film.add(next.film);
+        } catch (const Error& error) {
+            fail("{}: {}", inputs[i], error.what());
+        }
+    }
+    write_reference(output, merged.info, merged.film);
+    fmt::print("{}: {} files, noise {:.3f} % of the mean irradiance\n", output, inputs.size(), 100.0 * merged.film.noise());
+    return 0;
+}
+
+}  // namespace
+
+void add_reference_command(CLI::App& cli, Command& chosen) {
+    auto flags = std::make_shared<ReferenceFlags>();
+    CLI::App* command = cli.add_subcommand("reference", "Path-trace a scene: the truth that methods are measured against. An interrupted run continues from its file");
+    add_scene_flags(*command, flags->choice);
+    command->add_option("--size", flags->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
+    command->add_option("--spp", flags->spp, "Samples per pixel, at most")->capture_default_str();
+    command->add_option("--noise", flags->noise, "Also stop when irradiance is this exact: RMS standard error over mean, e.g. 0.01")->check(CLI::NonNegativeNumber);
+    command->add_option("--bounces", flags->bounces, "Reflections of light before the first surface: 0 is direct light alone; full: until the rest is nothing")->capture_default_str();
+    command->add_flag("--no-occlusion", flags->no_occlusion, "One bounce that passes through everything: the model of a reflective shadow map");
+    command->add_option("--reflection", flags->reflection, "full: surfaces reflect with their highlights; diffuse: as a reflective shadow map takes them")
+        ->check(CLI::IsMember({"full", "diffuse"}))->capture_default_str();
+    command->add_option("--pixel", flags->pixel, "area: samples spread over the pixel; centre: through its centre, as a rasterizer does")
+        ->check(CLI::IsMember({"area", "centre"}))->capture_default_str();
+    command->add_option("--seed", flags->seed, "Other random numbers of the same picture")->capture_default_str();
+    command->add_option("--region", flags->region, "X,Y,WIDTH,HEIGHT: only these pixels; `secondlight merge` joins regions");
+    command->add_option("--samples", flags->samples, "FIRST:LAST: only these sample numbers, instead of --spp; `secondlight merge` joins ranges");
+    command->add_option("-o,--output", flags->output, "EXR to write, and to continue from where it exists")->capture_default_str();
+    command->add_option("--png", flags->png, "Also write the picture with the camera's exposure");
+    command->add_flag("--overwrite", flags->overwrite, "Begin anew where the file exists");
+    command->callback([&chosen, flags] { chosen = [flags] { return run_reference(*flags); }; });
+}
+
+void add_merge_command(CLI::App& cli, Command& chosen) {
+    struct MergeFlags {
+        std::vector<std::string> inputs;
+        std::string output = "merged.exr";
+    };
+    auto flags = std::make_shared<MergeFlags>();
+    CLI::App* command = cli.add_subcommand("merge", "Join references of one picture that hold other pixels or other samples");
+    command->add_option("FILES", flags->inputs, "EXR files written by `secondlight reference`")->required();
+    command->add_option("-o,--output", flags->output, "EXR to write")->capture_default_str();
+    command->callback([&chosen, flags] { chosen = [flags] { return run_merge(flags->inputs, flags->output); }; });
+}
+
+}  // namespace sl
