@@ -26,7 +26,8 @@ void convolve_row(const float* in, float* out, std::size_t width, const Taps& ta
     padded.assign(width + 2 * radius, in[0]);
     std::copy_n(in, width, padded.begin() + static_cast<std::ptrdiff_t>(radius));
     std::fill(padded.end() - static_cast<std::ptrdiff_t>(radius), padded.end(), in[width - 1]);
-    for (std::size_t i = 0; i < taps.size(); ++i) add_scaled(out, padded.data() + i, static_cast<float>(taps[i]), width);
+    for (std::size_t i = 0; i < taps.size(); ++i)
+        add_scaled(out, padded.data() + i, static_cast<float>(taps[i]), width);
 }
 
 }  // namespace
@@ -35,9 +36,7 @@ Plane convolve(const Plane& plane, const Taps& along_x, const Taps& along_y) {
     CHECK(plane.width > 0 && plane.height > 0, "an empty picture");
     const std::size_t width = plane.width, height = plane.height, radius = radius_of(along_y);
     Plane rows(plane.width, plane.height), result(plane.width, plane.height);
-    const auto each_row = [&](auto&& body) {
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, height), body);
-    };
+    const auto each_row = [&](auto&& body) { tbb::parallel_for(tbb::blocked_range<std::size_t>(0, height), body); };
     each_row([&](const tbb::blocked_range<std::size_t>& range) {
         std::vector<float> padded;
         for (std::size_t y = range.begin(); y < range.end(); ++y) {

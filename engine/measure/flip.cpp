@@ -15,16 +15,17 @@ namespace sl {
 
 namespace {
 
-constexpr float colour_exponent = 0.7f;    // q_c: compresses large colour differences
-constexpr float knee_share = 0.4f;         // p_c: up to this share of the largest difference …
-constexpr float knee_value = 0.95f;        // p_t: … is spread over this part of the scale
-constexpr float feature_exponent = 0.5f;   // q_f
+constexpr float colour_exponent = 0.7f;   // q_c: compresses large colour differences
+constexpr float knee_share = 0.4f;        // p_c: up to this share of the largest difference …
+constexpr float knee_value = 0.95f;       // p_t: … is spread over this part of the scale
+constexpr float feature_exponent = 0.5f;  // q_f
 
 template <class Body>
 void each_pixel(std::size_t count, Body&& body) {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 4096), [&](const tbb::blocked_range<std::size_t>& range) {
-        for (std::size_t i = range.begin(); i < range.end(); ++i) body(i);
-    });
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 4096),
+                      [&](const tbb::blocked_range<std::size_t>& range) {
+                          for (std::size_t i = range.begin(); i < range.end(); ++i) body(i);
+                      });
 }
 
 std::array<Plane, 3> opponent_planes(const Image& image, const std::vector<float>& mask) {
@@ -76,16 +77,17 @@ float feature_difference(const Features& a, const Features& b, std::size_t i) {
 }  // namespace
 
 Flip flip(const Image& image, const Image& reference, const std::vector<float>& mask, float pixels_per_degree) {
-    CHECK(image.width == reference.width && image.height == reference.height, "{}x{} against {}x{}", image.width, image.height,
-          reference.width, reference.height);
+    CHECK(image.width == reference.width && image.height == reference.height, "{}x{} against {}x{}", image.width,
+          image.height, reference.width, reference.height);
     CHECK(image.channels >= 3 && reference.channels >= 3, "{} channels against {}", image.channels, reference.channels);
-    CHECK(mask.empty() || mask.size() == std::size_t{image.width} * image.height, "{} mask values for {}x{}", mask.size(), image.width,
-          image.height);
+    CHECK(mask.empty() || mask.size() == std::size_t{image.width} * image.height, "{} mask values for {}x{}",
+          mask.size(), image.width, image.height);
     CHECK(pixels_per_degree >= 1.0f, "{} pixels per degree", pixels_per_degree);
     check_finite("the picture", image, mask);
     check_finite("the reference's picture", reference, mask);
     const Seen a = see(image, mask, double{pixels_per_degree}), b = see(reference, mask, double{pixels_per_degree});
-    const float largest = std::pow(hyab(hunt_lab_from_linear({0, 1, 0}), hunt_lab_from_linear({0, 0, 1})), colour_exponent);
+    const float largest =
+        std::pow(hyab(hunt_lab_from_linear({0, 1, 0}), hunt_lab_from_linear({0, 0, 1})), colour_exponent);
     Flip result{.map = Image(image.width, image.height, 1)};
     each_pixel(result.map.data.size(), [&](std::size_t i) {
         const float colour = spread(std::pow(hyab(lab_at(a, i), lab_at(b, i)), colour_exponent), largest);

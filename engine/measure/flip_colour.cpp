@@ -10,7 +10,9 @@ namespace {
 using glm::dmat3;
 
 /// XYZ of a chromaticity at Y = 1.
-dvec3 xyz_of(double x, double y) { return {x / y, 1.0, (1.0 - x - y) / y}; }
+dvec3 xyz_of(double x, double y) {
+    return {x / y, 1.0, (1.0 - x - y) / y};
+}
 
 /// The columns are the XYZ of the primaries, scaled so that their sum is the white point (SMPTE RP 177).
 dmat3 xyz_from_linear_matrix() {
@@ -43,7 +45,9 @@ float lab_root(float t) {
 
 }  // namespace
 
-vec3 linear_from_srgb(vec3 encoded) { return {decode(encoded.x), decode(encoded.y), decode(encoded.z)}; }
+vec3 linear_from_srgb(vec3 encoded) {
+    return {decode(encoded.x), decode(encoded.y), decode(encoded.z)};
+}
 
 vec3 opponent_from_linear(vec3 linear) {
     const vec3 xyz = relative_xyz_from_linear * linear;
@@ -63,6 +67,8 @@ vec3 hunt_lab_from_linear(vec3 linear) {
     return {lightness, hunt * 500.0f * (root.x - root.y), hunt * 200.0f * (root.y - root.z)};
 }
 
-float hyab(vec3 a, vec3 b) { return std::abs(a.x - b.x) + std::hypot(a.y - b.y, a.z - b.z); }
+float hyab(vec3 a, vec3 b) {
+    return std::abs(a.x - b.x) + std::hypot(a.y - b.y, a.z - b.z);
+}
 
 }  // namespace sl

@@ -17,7 +17,8 @@ struct Bell {
     double b = 1.0;
 };
 /// Table 1 of the paper: Y, Cx and Cz as sums of bells.
-constexpr std::array<std::array<Bell, 2>, 3> sensitivity{{{{{1.0, 0.0047}, {}}}, {{{1.0, 0.0053}, {}}}, {{{34.1, 0.04}, {13.5, 0.025}}}}};
+constexpr std::array<std::array<Bell, 2>, 3> sensitivity{
+    {{{{1.0, 0.0047}, {}}}, {{{1.0, 0.0053}, {}}}, {{{34.1, 0.04}, {13.5, 0.025}}}}};
 constexpr double widest_b = 0.04;
 
 constexpr double feature_width = 0.082;  // degrees: peak to trough of the eye's edge detector
@@ -49,13 +50,15 @@ Plane magnitude(const Plane& x, const Plane& y) {
     return result;
 }
 
-/// A sum of two-dimensional bells is no product of two filters along the axes, but each bell is: they are applied one by
-/// one, each with the share that it has in the sum of all weights.
+/// A sum of two-dimensional bells is no product of two filters along the axes, but each bell is: they are applied one
+/// by one, each with the share that it has in the sum of all weights.
 Plane through_bells(const Plane& plane, const std::array<Bell, 2>& bells, int radius, double pixels_per_degree) {
     std::array<Taps, 2> taps;
     std::array<double, 2> shares{};
     for (std::size_t k = 0; k < bells.size(); ++k) {
-        taps[k] = taps_of(radius, [&](double x) { return std::exp(-pi_squared * x * x / (pixels_per_degree * pixels_per_degree * bells[k].b)); });
+        taps[k] = taps_of(radius, [&](double x) {
+            return std::exp(-pi_squared * x * x / (pixels_per_degree * pixels_per_degree * bells[k].b));
+        });
         shares[k] = bells[k].amplitude * std::sqrt(std::numbers::pi / bells[k].b) * sum_of(taps[k]) * sum_of(taps[k]);
     }
     Plane result(plane.width, plane.height);
@@ -76,7 +79,8 @@ std::array<Plane, 3> through_the_eye(const std::array<Plane, 3>& opponent, doubl
     // Three standard deviations of the widest bell, for all.
     const int radius = static_cast<int>(std::ceil(3.0 * std::sqrt(widest_b / (2.0 * pi_squared)) * pixels_per_degree));
     std::array<Plane, 3> result;
-    for (std::size_t c = 0; c < 3; ++c) result[c] = through_bells(opponent[c], sensitivity[c], radius, pixels_per_degree);
+    for (std::size_t c = 0; c < 3; ++c)
+        result[c] = through_bells(opponent[c], sensitivity[c], radius, pixels_per_degree);
     return result;
 }
 
@@ -89,7 +93,8 @@ Features features_of(const Plane& lightness, double pixels_per_degree) {
     const double sum = sum_of(along);
     for (double& tap : along) tap /= sum;
     const Taps edge = balanced(taps_of(radius, [&](double x) { return -x * bell(x); }));
-    const Taps point = balanced(taps_of(radius, [&](double x) { return (x * x / (deviation * deviation) - 1.0) * bell(x); }));
+    const Taps point =
+        balanced(taps_of(radius, [&](double x) { return (x * x / (deviation * deviation) - 1.0) * bell(x); }));
     return {magnitude(convolve(lightness, edge, along), convolve(lightness, along, edge)),
             magnitude(convolve(lightness, point, along), convolve(lightness, along, point))};
 }

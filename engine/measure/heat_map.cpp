@@ -18,9 +18,9 @@ struct Stop {
     float at;
     vec3 colour;
 };
-constexpr std::array stops{Stop{0.0f, {4, 4, 18}},         Stop{0.1204f, {40, 16, 92}},   Stop{0.2507f, {98, 22, 128}},
-                           Stop{0.3715f, {158, 38, 118}},  Stop{0.4975f, {212, 66, 82}},  Stop{0.6209f, {242, 112, 40}},
-                           Stop{0.7554f, {252, 168, 36}},  Stop{0.8926f, {250, 222, 110}}, Stop{1.0f, {255, 255, 224}}};
+constexpr std::array stops{Stop{0.0f, {4, 4, 18}},        Stop{0.1204f, {40, 16, 92}},    Stop{0.2507f, {98, 22, 128}},
+                           Stop{0.3715f, {158, 38, 118}}, Stop{0.4975f, {212, 66, 82}},   Stop{0.6209f, {242, 112, 40}},
+                           Stop{0.7554f, {252, 168, 36}}, Stop{0.8926f, {250, 222, 110}}, Stop{1.0f, {255, 255, 224}}};
 
 constexpr vec3 ignored_colour(0.42f);
 constexpr vec3 paper(0.09f);
@@ -28,7 +28,9 @@ constexpr vec3 ink(0.93f);
 constexpr std::uint32_t quarters = 4;
 constexpr const char* ignored_label = "not compared";
 
-bool compared(const std::vector<float>& mask, std::size_t i) { return mask.empty() || mask[i] != 0.0f; }
+bool compared(const std::vector<float>& mask, std::size_t i) {
+    return mask.empty() || mask[i] != 0.0f;
+}
 
 void fill(Image& picture, uvec2 corner, uvec2 size, vec3 colour) {
     for (std::uint32_t y = corner.y; y < std::min(corner.y + size.y, picture.height); ++y) {
@@ -43,7 +45,9 @@ struct Legend {
     std::uint32_t scale, margin, bar_height, height;
 
     explicit Legend(std::uint32_t width)
-        : scale(std::clamp(width / 320u, 1u, 8u)), margin(6 * scale), bar_height(10 * scale),
+        : scale(std::clamp(width / 320u, 1u, 8u)),
+          margin(6 * scale),
+          bar_height(10 * scale),
           height(margin + text_height * scale + 4 * scale + bar_height + 5 * scale + text_height * scale + margin) {}
 
     std::uint32_t bar_y() const { return margin + (text_height + 4) * scale; }
@@ -57,7 +61,8 @@ std::string tick_label(double value, const HeatMapSettings& settings, bool beyon
 }
 
 /// Rows from `top` down: title and grey swatch, bar, ticks, labels.
-void draw_legend(Image& picture, std::uint32_t top, const HeatMapSettings& settings, bool some_ignored, bool some_beyond) {
+void draw_legend(Image& picture, std::uint32_t top, const HeatMapSettings& settings, bool some_ignored,
+                 bool some_beyond) {
     const Legend legend(picture.width);
     const std::uint32_t scale = legend.scale;
     fill(picture, {0, top}, {picture.width, legend.height}, paper);
@@ -70,7 +75,8 @@ void draw_legend(Image& picture, std::uint32_t top, const HeatMapSettings& setti
     const std::uint32_t left = legend.bar_x(), width = picture.width - 2 * left, bar = top + legend.bar_y();
     fill(picture, {left - 1, bar - 1}, {width + 2, legend.bar_height + 2}, ink);
     for (std::uint32_t x = 0; x < width; ++x) {
-        fill(picture, {left + x, bar}, {1, legend.bar_height}, heat_colour((static_cast<float>(x) + 0.5f) / static_cast<float>(width)));
+        fill(picture, {left + x, bar}, {1, legend.bar_height},
+             heat_colour((static_cast<float>(x) + 0.5f) / static_cast<float>(width)));
     }
     for (std::uint32_t i = 0; i <= quarters; ++i) {
         const std::uint32_t x = left + (width - 1) * i / quarters;
@@ -78,7 +84,8 @@ void draw_legend(Image& picture, std::uint32_t top, const HeatMapSettings& setti
         const std::string label = tick_label(settings.top * i / quarters, settings, some_beyond && i == quarters);
         const auto half = static_cast<std::int64_t>(text_width(label) * scale / 2);
         const std::int64_t last = std::int64_t{picture.width} - 2 * half - scale;
-        draw_text(picture, std::clamp<std::int64_t>(x - half, scale, last), bar + legend.bar_height + 5 * scale, scale, ink, label);
+        draw_text(picture, std::clamp<std::int64_t>(x - half, scale, last), bar + legend.bar_height + 5 * scale, scale,
+                  ink, label);
     }
 }
 
@@ -94,8 +101,8 @@ vec3 heat_colour(float value) {
 
 Image heat_map(const Image& map, const std::vector<float>& mask, const HeatMapSettings& settings) {
     const std::size_t pixels = std::size_t{map.width} * map.height;
-    CHECK(map.channels == 1 && pixels > 0 && (mask.empty() || mask.size() == pixels), "{} channels, {} mask values for {} pixels",
-          map.channels, mask.size(), pixels);
+    CHECK(map.channels == 1 && pixels > 0 && (mask.empty() || mask.size() == pixels),
+          "{} channels, {} mask values for {} pixels", map.channels, mask.size(), pixels);
     CHECK(settings.top > 0.0, "a scale that ends at {}", settings.top);
     const std::uint32_t width = std::max(map.width, text_width(settings.title) + text_width(ignored_label) + 40);
     Image picture(width, map.height + Legend(width).height, 3);
@@ -107,7 +114,8 @@ Image heat_map(const Image& map, const std::vector<float>& mask, const HeatMapSe
         some_ignored = some_ignored || !shown;
         some_beyond = some_beyond || (shown && value > 1.0);
         const vec3 colour = shown ? heat_colour(static_cast<float>(std::min(value, 1.0))) : ignored_colour;
-        float* pixel = picture.pixel(static_cast<std::uint32_t>(i % map.width), static_cast<std::uint32_t>(i / map.width));
+        float* pixel =
+            picture.pixel(static_cast<std::uint32_t>(i % map.width), static_cast<std::uint32_t>(i / map.width));
         for (int c = 0; c < 3; ++c) pixel[c] = colour[c];
     }
     draw_legend(picture, map.height, settings, some_ignored, some_beyond);
@@ -121,7 +129,7 @@ double suggested_top(const Image& map, const std::vector<float>& mask) {
         if (compared(mask, i)) values.push_back(map.data[i]);
     }
     if (values.empty()) return 1.0;
-    const auto at = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) * 99 / 100);
+    const auto at = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) * 95 / 100);
     std::nth_element(values.begin(), at, values.end());
     const double high = double{*at};
     if (!std::isfinite(high) || high <= 0.0) return 1.0;

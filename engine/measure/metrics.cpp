@@ -14,9 +14,13 @@ namespace {
 
 constexpr double dark_share = 0.01;  // of the reference's mean: what counts as dark for relative errors
 
-std::size_t pixel_count(const Image& image) { return std::size_t{image.width} * image.height; }
+std::size_t pixel_count(const Image& image) {
+    return std::size_t{image.width} * image.height;
+}
 
-bool compared(const std::vector<float>& mask, std::size_t i) { return mask.empty() || mask[i] != 0.0f; }
+bool compared(const std::vector<float>& mask, std::size_t i) {
+    return mask.empty() || mask[i] != 0.0f;
+}
 
 /// 0/0 is no error, anything else over 0 is an infinite one.
 double ratio(double numerator, double denominator) {
@@ -31,10 +35,11 @@ double luminance(const Image& image, std::size_t i) {
 }
 
 void check_pair(const Image& image, const Image& reference, const std::vector<float>& mask) {
-    CHECK(image.width == reference.width && image.height == reference.height, "{}x{} against {}x{}", image.width, image.height,
-          reference.width, reference.height);
+    CHECK(image.width == reference.width && image.height == reference.height, "{}x{} against {}x{}", image.width,
+          image.height, reference.width, reference.height);
     CHECK(image.channels >= 3 && reference.channels >= 3, "{} channels against {}", image.channels, reference.channels);
-    CHECK(mask.empty() || mask.size() == pixel_count(image), "{} mask values for {} pixels", mask.size(), pixel_count(image));
+    CHECK(mask.empty() || mask.size() == pixel_count(image), "{} mask values for {} pixels", mask.size(),
+          pixel_count(image));
 }
 
 /// The value at the rank that 95 % of the others do not exceed (nearest rank: the ⌈0.95 n⌉-th smallest).
@@ -74,7 +79,8 @@ ErrorMetrics image_errors(const Image& image, const Image& reference, const std:
     const auto for_each_value = [&](auto&& body) {
         for (std::size_t i = 0; i < pixel_count(image); ++i) {
             if (!compared(mask, i)) continue;
-            for (std::size_t c = 0; c < 3; ++c) body(double{image.data[i * image.channels + c]}, double{reference.data[i * reference.channels + c]});
+            for (std::size_t c = 0; c < 3; ++c)
+                body(double{image.data[i * image.channels + c]}, double{reference.data[i * reference.channels + c]});
         }
     };
     for_each_value([&](double x, double r) {
@@ -117,17 +123,20 @@ void check_finite(const std::string& name, const Image& image, const std::vector
     for (std::size_t i = 0; i < pixel_count(image); ++i) {
         if (!compared(mask, i)) continue;
         const float* p = &image.data[i * image.channels];
-        if (std::all_of(p, p + std::min(image.channels, 3u), [](float value) { return std::isfinite(value); })) continue;
+        if (std::all_of(p, p + std::min(image.channels, 3u), [](float value) { return std::isfinite(value); }))
+            continue;
         if (bad++ == 0) first = i;
     }
     if (bad == 0) return;
-    fail("{}: {} of {} pixels hold infinity or no number, the first at column {}, row {}; an error figure would hide them", name,
-         bad, pixel_count(image), first % image.width, first / image.width);
+    fail(
+        "{}: {} of {} pixels hold infinity or no number, the first at column {}, row {}; an error figure would hide "
+        "them",
+        name, bad, pixel_count(image), first % image.width, first / image.width);
 }
 
 double masked_mean(const Image& map, const std::vector<float>& mask) {
-    CHECK(map.channels == 1 && (mask.empty() || mask.size() == pixel_count(map)), "{} channels, {} mask values for {} pixels",
-          map.channels, mask.size(), pixel_count(map));
+    CHECK(map.channels == 1 && (mask.empty() || mask.size() == pixel_count(map)),
+          "{} channels, {} mask values for {} pixels", map.channels, mask.size(), pixel_count(map));
     double sum = 0.0, count = 0.0;
     for (std::size_t i = 0; i < pixel_count(map); ++i) {
         if (!compared(mask, i)) continue;

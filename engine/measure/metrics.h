@@ -9,17 +9,17 @@ namespace sl {
 
 /// How far a linear image is from its reference. All ratios are fractions: 0.05 is 5 %.
 struct ErrorMetrics {
-    double rel_mse = 0.0;    ///< mean of (x−r)² / (r² + ε), ε = (1 % of the mean of r)²; over pixels and channels
-    double nrmse = 0.0;      ///< √(mean of (x−r)²) / mean of r; over pixels and channels
-    double p95 = 0.0;        ///< 95 % of the pixels have at most this relative error (see relative_error_map)
-    double bias = 0.0;       ///< mean of (x−r) / mean of r, signed: positive where the image is too bright
+    double rel_mse = 0.0;  ///< mean of (x−r)² / (r² + ε), ε = (1 % of the mean of r)²; over pixels and channels
+    double nrmse = 0.0;    ///< √(mean of (x−r)²) / mean of r; over pixels and channels
+    double p95 = 0.0;      ///< 95 % of the pixels have at most this relative error (see relative_error_map)
+    double bias = 0.0;     ///< mean of (x−r) / mean of r, signed: positive where the image is too bright
     std::size_t pixels = 0;  ///< how many were compared
 };
 
 /// Compares the first three channels of two images of one size. `mask` is empty or has one value per pixel, and pixels
-/// where it is 0 are ignored, whatever they hold. A reference whose mean is not positive counts as black, with mean 0: an
-/// error of 0 over 0 is 0, and any other over 0 infinite.
-/// Throws Error when no pixel is left to compare, or where one is not finite (see check_finite).
+/// where it is 0 are ignored, whatever they hold. A reference whose mean is not positive counts as black, with mean 0:
+/// an error of 0 over 0 is 0, and any other over 0 infinite. Throws Error when no pixel is left to compare, or where
+/// one is not finite (see check_finite).
 ErrorMetrics image_errors(const Image& image, const Image& reference, const std::vector<float>& mask);
 
 /// One channel: |x−r| / (|r| + 1 % of the mean of r) on Rec. 709 luminance; 0 where masked. The small addend keeps a

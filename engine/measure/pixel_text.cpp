@@ -86,7 +86,8 @@ std::uint32_t text_width(std::string_view text) {
     return text.empty() ? 0 : static_cast<std::uint32_t>(text.size()) * advance - 1;
 }
 
-void draw_text(Image& picture, std::int64_t x, std::int64_t y, std::uint32_t scale, vec3 colour, std::string_view text) {
+void draw_text(Image& picture, std::int64_t x, std::int64_t y, std::uint32_t scale, vec3 colour,
+               std::string_view text) {
     CHECK(picture.channels >= 3 && scale >= 1, "{} channels, scale {}", picture.channels, scale);
     for (std::size_t k = 0; k < text.size(); ++k) {
         const std::string_view dots = dots_of(text[k]);

@@ -28,7 +28,9 @@ Image noise(std::uint32_t width, std::uint32_t height, unsigned seed) {
     return image;
 }
 
-float largest(const Flip& flip) { return *std::ranges::max_element(flip.map.data); }
+float largest(const Flip& flip) {
+    return *std::ranges::max_element(flip.map.data);
+}
 
 TEST(Flip, EqualPicturesDoNotDiffer) {
     const Image picture = noise(17, 5, 1);
@@ -55,8 +57,8 @@ TEST(Flip, GreenAgainstBlueIsTheEndOfTheScale) {
 }
 
 TEST(Flip, TwoGreysByHand) {
-    // sRGB 0.5 is 0.21404 linear: L = 116 · 0.21404^⅓ − 16 = 53.389. Against black: 53.389^0.7 = 16.190, under the knee:
-    // 0.95 · 16.190 / 16.510 = 0.9316.
+    // sRGB 0.5 is 0.21404 linear: L = 116 · 0.21404^⅓ − 16 = 53.389. Against black: 53.389^0.7 = 16.190, under the
+    // knee: 0.95 · 16.190 / 16.510 = 0.9316.
     EXPECT_NEAR(flip(field(3, 3, vec3(0.5f)), field(3, 3, vec3(0))).mean, 0.9316, 2e-4);
 }
 
@@ -65,8 +67,10 @@ TEST(Flip, IsWhatTheFormulasSayTakenLiterally) {
         const Image a = noise(9, 9, 7), b = noise(9, 9, 8);
         const Flip result = flip(a, b, {}, pixels_per_degree);
         for (const uvec2 p : {uvec2(0, 0), uvec2(4, 4), uvec2(8, 2), uvec2(3, 8)}) {
-            const double expected = slow::flip(a, b, static_cast<double>(pixels_per_degree), static_cast<int>(p.x), static_cast<int>(p.y));
-            EXPECT_NEAR(*result.map.pixel(p.x, p.y), expected, 1e-4) << pixels_per_degree << " at " << p.x << ", " << p.y;
+            const double expected =
+                slow::flip(a, b, static_cast<double>(pixels_per_degree), static_cast<int>(p.x), static_cast<int>(p.y));
+            EXPECT_NEAR(*result.map.pixel(p.x, p.y), expected, 1e-4)
+                << pixels_per_degree << " at " << p.x << ", " << p.y;
         }
     }
 }

@@ -11,7 +11,9 @@
 namespace sl {
 namespace {
 
-float lightness(float value) { return hunt_lab_from_linear(linear_from_srgb(heat_colour(value))).x; }
+float lightness(float value) {
+    return hunt_lab_from_linear(linear_from_srgb(heat_colour(value))).x;
+}
 
 vec3 colour_at(const Image& picture, std::uint32_t x, std::uint32_t y) {
     const float* p = picture.pixel(x, y);
@@ -55,7 +57,8 @@ TEST(HeatMap, IgnoredPixelsAreGreyAndNoColourOfTheRamp) {
     const vec3 ignored = colour_at(heat_map(map, {1, 0}, {.title = "error"}), 1, 0);
     EXPECT_EQ(ignored.x, ignored.y);
     EXPECT_EQ(ignored.y, ignored.z);
-    for (int i = 0; i <= 100; ++i) EXPECT_GT(glm::distance(heat_colour(static_cast<float>(i) / 100.0f), ignored), 0.15f);
+    for (int i = 0; i <= 100; ++i)
+        EXPECT_GT(glm::distance(heat_colour(static_cast<float>(i) / 100.0f), ignored), 0.15f);
 }
 
 TEST(HeatMap, ASmallMapGetsAWholeLegend) {
@@ -67,9 +70,9 @@ TEST(SuggestedTop, IsRoundAndAboveAlmostAll) {
     Image map(1000, 1, 1);
     std::ranges::fill(map.data, 0.13f);
     EXPECT_DOUBLE_EQ(suggested_top(map, {}), 0.2);
-    std::fill_n(map.data.begin(), 5, 80.0f);
+    std::fill_n(map.data.begin(), 40, 80.0f);
     EXPECT_DOUBLE_EQ(suggested_top(map, {}), 0.2);
-    std::fill_n(map.data.begin(), 50, 80.0f);
+    std::fill_n(map.data.begin(), 60, 80.0f);
     EXPECT_DOUBLE_EQ(suggested_top(map, {}), 100.0);
     EXPECT_EQ(suggested_top(Image(3, 1, 1), {}), 1.0);
     std::ranges::fill(map.data, std::numeric_limits<float>::infinity());

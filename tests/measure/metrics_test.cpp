@@ -111,7 +111,8 @@ TEST(ImageErrors, LightOnABlackReferenceIsAnInfiniteError) {
 }
 
 TEST(ImageErrors, ADarkPixelInALitReferenceStaysFinite) {
-    // r = 0, 2: mean 1, so the dark pixel's error of 0.1 counts as 0.1 / 0.01 = 10, squared 100; half of it is the mean.
+    // r = 0, 2: mean 1, so the dark pixel's error of 0.1 counts as 0.1 / 0.01 = 10, squared 100; half of it is the
+    // mean.
     const ErrorMetrics errors = image_errors(greys({0.1f, 2}), greys({0, 2}), {});
     EXPECT_NEAR(errors.p95, 10.0, 1e-5);
     EXPECT_NEAR(errors.rel_mse, 50.0, 1e-4);
@@ -139,7 +140,8 @@ TEST(ImageErrors, NonFinitePixelsAreRefusedWithTheirPlace) {
     EXPECT_THAT(refusal(image, reference, {}), testing::HasSubstr("the image: 2 of 6 pixels"));
     EXPECT_THAT(refusal(image, reference, {}), testing::HasSubstr("column 2, row 0"));
     EXPECT_THAT(refusal(reference, image, {}), testing::StartsWith("the reference: 2 of 6"));
-    EXPECT_THAT(refusal(image, reference, {1, 1, 0, 1, 1, 1}), testing::HasSubstr("1 of 6 pixels hold infinity or no number, the first at column 1, row 1"));
+    EXPECT_THAT(refusal(image, reference, {1, 1, 0, 1, 1, 1}),
+                testing::HasSubstr("1 of 6 pixels hold infinity or no number, the first at column 1, row 1"));
 }
 
 TEST(ImageErrors, NothingToCompareIsRefused) {

@@ -8,8 +8,8 @@
 
 #include "engine/core/image.h"
 
-// ꟻLIP once more, as the paper's formulas stand there: two-dimensional filters applied pixel by pixel in double, and the
-// sRGB matrix as printed in the standard. Shares no code with engine/measure/.
+// ꟻLIP once more, as the paper's formulas stand there: two-dimensional filters applied pixel by pixel in double, and
+// the sRGB matrix as printed in the standard. Shares no code with engine/measure/.
 
 namespace sl::slow {
 
@@ -34,7 +34,8 @@ inline Colour hunt_lab(const Colour& linear) {
     const auto f = [](double t) { return t > 216.0 / 24389.0 ? std::cbrt(t) : (24389.0 / 27.0 * t + 16.0) / 116.0; };
     const Colour xyz = relative_xyz(linear);
     const double lightness = 116.0 * f(xyz[1]) - 16.0;
-    return {lightness, 0.01 * lightness * 500.0 * (f(xyz[0]) - f(xyz[1])), 0.01 * lightness * 200.0 * (f(xyz[1]) - f(xyz[2]))};
+    return {lightness, 0.01 * lightness * 500.0 * (f(xyz[0]) - f(xyz[1])),
+            0.01 * lightness * 200.0 * (f(xyz[1]) - f(xyz[2]))};
 }
 
 inline double hyab(const Colour& a, const Colour& b) {
@@ -78,8 +79,10 @@ struct View {
         const auto seen = [&](auto channel, const Filter& filter) {
             return convolved([&](int u, int v) { return channel(relative_xyz(linear(u, v))); }, filter, radius, x, y);
         };
-        const double yy = seen([](const Colour& c) { return 116 * c[1] - 16; }, [&](int i, int j) { return bell(1, 0.0047, i, j); });
-        const double cx = seen([](const Colour& c) { return 500 * (c[0] - c[1]); }, [&](int i, int j) { return bell(1, 0.0053, i, j); });
+        const double yy =
+            seen([](const Colour& c) { return 116 * c[1] - 16; }, [&](int i, int j) { return bell(1, 0.0047, i, j); });
+        const double cx = seen([](const Colour& c) { return 500 * (c[0] - c[1]); },
+                               [&](int i, int j) { return bell(1, 0.0053, i, j); });
         const double cz = seen([](const Colour& c) { return 200 * (c[1] - c[2]); },
                                [&](int i, int j) { return bell(34.1, 0.04, i, j) + bell(13.5, 0.025, i, j); });
         const double luminance = (yy + 16) / 116;
@@ -94,10 +97,13 @@ struct View {
         const auto bell = [&](int i, int j) { return std::exp(-(i * i + j * j) / (2 * deviation * deviation)); };
         const auto strength = [&](const std::function<double(double)>& across) {
             const Picture luminance = [&](int u, int v) { return relative_xyz(linear(u, v))[1]; };
-            return std::hypot(convolved(luminance, [&](int i, int j) { return across(i) * bell(i, j); }, radius, x, y),
-                              convolved(luminance, [&](int i, int j) { return across(j) * bell(i, j); }, radius, x, y));
+            return std::hypot(convolved(
+                                  luminance, [&](int i, int j) { return across(i) * bell(i, j); }, radius, x, y),
+                              convolved(
+                                  luminance, [&](int i, int j) { return across(j) * bell(i, j); }, radius, x, y));
         };
-        return {strength([](double i) { return -i; }), strength([&](double i) { return i * i / (deviation * deviation) - 1; })};
+        return {strength([](double i) { return -i; }),
+                strength([&](double i) { return i * i / (deviation * deviation) - 1; })};
     }
 };
 
@@ -106,7 +112,8 @@ inline double flip(const Image& image, const Image& reference, double pixels_per
     const View a{image, pixels_per_degree}, b{reference, pixels_per_degree};
     const double largest = std::pow(hyab(hunt_lab({0, 1, 0}), hunt_lab({0, 0, 1})), 0.7);
     const double difference = std::pow(hyab(a.lab(x, y), b.lab(x, y)), 0.7), knee = 0.4 * largest;
-    const double colour = difference < knee ? 0.95 * difference / knee : 0.95 + 0.05 * (difference - knee) / (largest - knee);
+    const double colour =
+        difference < knee ? 0.95 * difference / knee : 0.95 + 0.05 * (difference - knee) / (largest - knee);
     const auto fa = a.features(x, y), fb = b.features(x, y);
     const double feature = std::sqrt(std::max(std::abs(fa[0] - fb[0]), std::abs(fa[1] - fb[1])) / std::sqrt(2.0));
     return std::pow(colour, 1 - feature);
