@@ -26,6 +26,7 @@ int run(int argc, char** argv) {
     sl::add_tour_command(cli, flags, chosen);
     sl::add_list_command(cli, flags, chosen);
     sl::add_bench_command(cli, flags, chosen);
+    sl::add_compare_command(cli, chosen);
     if (argc == 1) {
         // Bare, the program does its main job.
         const char* arguments[] = {argv[0], sl::has_display() ? "play" : "tour"};

@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/core/error.h"
-#include "engine/core/image_error.h"
 #include "engine/core/text_file.h"
 #include "engine/ecs/query.h"
+#include "engine/measure/metrics.h"
 #include "engine/render/capture.h"
 #include "engine/render/gl/gl.h"
 #include "engine/render/pass_times.h"
@@ -137,7 +137,7 @@ Irradiance irradiance_of(const SceneChoice& choice, uvec2 size) {
 /// Sampling error: the method against the sum over every texel of the same maps.
 double sampling_error(const SceneChoice& choice, uvec2 size, std::uint32_t rsm_size) {
     const Irradiance exact = irradiance_of({.scene = choice.scene, .gi = "rsm_exact", .sets = {fmt::format("gi.rsm_size={}", rsm_size)}}, size);
-    return nrmse(irradiance_of(choice, size).image, exact.image, exact.surface);
+    return image_errors(irradiance_of(choice, size).image, exact.image, exact.surface).nrmse;
 }
 
 /// The map size of a method in rsm_exact's units. Throws Error for the others.

@@ -29,6 +29,8 @@ void add_capture_command(CLI::App& cli, const GlobalFlags& flags, Command& chose
 void add_tour_command(CLI::App& cli, const GlobalFlags& flags, Command& chosen);
 void add_list_command(CLI::App& cli, const GlobalFlags& flags, Command& chosen);
 void add_bench_command(CLI::App& cli, const GlobalFlags& flags, Command& chosen);
+/// Needs no context, so no flags.
+void add_compare_command(CLI::App& cli, Command& chosen);
 
 /// The flags --scene, --gi and --set that several commands share.
 void add_scene_flags(CLI::App& command, SceneChoice& choice);
