@@ -26,6 +26,8 @@ int run(int argc, char** argv) {
     sl::add_tour_command(cli, flags, chosen);
     sl::add_list_command(cli, flags, chosen);
     sl::add_bench_command(cli, flags, chosen);
+    sl::add_reference_command(cli, chosen);
+    sl::add_merge_command(cli, chosen);
     sl::add_compare_command(cli, chosen);
     if (argc == 1) {
         // Bare, the program does its main job.

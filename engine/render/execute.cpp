@@ -81,7 +81,10 @@ void Executor::run(FrameGraph& graph, std::span<const Step> steps, const OnStep&
 void Executor::run_steps(const FrameGraph& graph, std::span<const Step> steps, const OnStep& on_step) {
     for (std::size_t i = 0; i < steps.size(); ++i) {
         const PassRecord& pass = graph.passes()[static_cast<std::size_t>(steps[i].pass)];
-        if (on_step) on_step(i, steps.size(), pass.name);
+        if (on_step) {
+            glFinish();  // told of what is done, not of what was asked for
+            on_step(i, steps.size(), pass.name);
+        }
         if (timing_) timers_.begin_span(pass.name, pass.group);
         {
             const DebugGroup group(pass.name);

@@ -29,6 +29,8 @@ void add_capture_command(CLI::App& cli, const GlobalFlags& flags, Command& chose
 void add_tour_command(CLI::App& cli, const GlobalFlags& flags, Command& chosen);
 void add_list_command(CLI::App& cli, const GlobalFlags& flags, Command& chosen);
 void add_bench_command(CLI::App& cli, const GlobalFlags& flags, Command& chosen);
+void add_reference_command(CLI::App& cli, Command& chosen);
+void add_merge_command(CLI::App& cli, Command& chosen);
 /// Needs no context, so no flags.
 void add_compare_command(CLI::App& cli, Command& chosen);
 

@@ -15,8 +15,10 @@ class Progress {
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    /// done of total units are finished.
-    void update(std::size_t done, std::size_t total);
+    /// done of total units are finished; `note` is shown beside.
+    void update(std::size_t done, std::size_t total, const std::string& note = {});
+    /// Takes the line off a terminal, before something else is printed.
+    void clear();
 
   private:
     using Clock = std::chrono::steady_clock;
