@@ -30,9 +30,8 @@ target_precompile_headers(sl_headers PRIVATE <fmt/format.h> <fmt/ranges.h> <glm/
                                              <span> <string> <unordered_map> <variant> <vector>)
 
 # sl_library(NAME [folders...] LINK libs...): a static library of every .cpp directly in the given folders, main.cpp apart.
-# OWN_HEADERS: it brings a precompiled header of its own.
 function(sl_library name)
-    cmake_parse_arguments(ARG "OWN_HEADERS" "" "FOLDERS;LINK" ${ARGN})
+    cmake_parse_arguments(ARG "" "" "FOLDERS;LINK" ${ARGN})
     set(sources)
     foreach(folder ${ARG_FOLDERS})
         file(GLOB found CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp)
@@ -41,9 +40,7 @@ function(sl_library name)
     endforeach()
     if(sources)
         add_library(${name} STATIC ${sources})
-        if(NOT ARG_OWN_HEADERS)
-            target_precompile_headers(${name} REUSE_FROM sl_headers)
-        endif()
+        target_precompile_headers(${name} REUSE_FROM sl_headers)
         target_link_libraries(${name} PUBLIC sl_options ${ARG_LINK})
     else()
         add_library(${name} INTERFACE)

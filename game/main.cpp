@@ -21,14 +21,15 @@ int run(int argc, char** argv) {
     cli.fallthrough();
 
     sl::Command chosen;
-    sl::add_play_command(cli, flags, chosen);
-    sl::add_capture_command(cli, flags, chosen);
-    sl::add_tour_command(cli, flags, chosen);
-    sl::add_list_command(cli, flags, chosen);
-    sl::add_bench_command(cli, flags, chosen);
-    sl::add_reference_command(cli, chosen);
-    sl::add_merge_command(cli, chosen);
-    sl::add_compare_command(cli, chosen);
+    const sl::Flags program(cli, chosen);
+    sl::add_play_command(program, flags);
+    sl::add_capture_command(program, flags);
+    sl::add_tour_command(program, flags);
+    sl::add_list_command(program, flags);
+    sl::add_bench_command(program, flags);
+    sl::add_reference_command(program);
+    sl::add_merge_command(program);
+    sl::add_compare_command(program);
     if (argc == 1) {
         // Bare, the program does its main job.
         const char* arguments[] = {argv[0], sl::has_display() ? "play" : "tour"};

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <map>
@@ -186,19 +185,19 @@ int run_onoff(const GlobalFlags& global, const BenchFlags& flags) {
 
 }  // namespace
 
-void add_bench_command(CLI::App& cli, const GlobalFlags& global, Command& chosen) {
-    CLI::App* bench = cli.add_subcommand("bench", "Measure speed");
-    bench->require_subcommand(1);
+void add_bench_command(const Flags& program, const GlobalFlags& global) {
+    const Flags bench = program.command("bench", "Measure speed");
+    bench.needs_command();
     auto flags = std::make_shared<BenchFlags>();
-    CLI::App* command = bench->add_subcommand("onoff", "Frame time with GI off and on, alternating in one process, camera turning");
-    command->add_option("--scene", flags->scenes, "Scenes to measure")->capture_default_str();
-    command->add_option("--gi", flags->gi, "GI method of the on side; default: the scene's own");
-    command->add_option("--set", flags->sets, "component.field=value for the on side; repeatable");
-    command->add_option("--size", flags->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
-    command->add_option("--pairs", flags->pairs, "Pairs of frames")->capture_default_str()->check(CLI::Range(1u, 100000u));
-    command->add_flag("--error", flags->error, "Also measure the method's sampling error against rsm_exact; takes minutes");
-    command->add_option("--json", flags->json, "Also write the figures into this file");
-    command->callback([&global, &chosen, flags] { chosen = [&global, flags] { return run_onoff(global, *flags); }; });
+    const Flags command = bench.command("onoff", "Frame time with GI off and on, alternating in one process, camera turning");
+    command.add("--scene", flags->scenes, "Scenes to measure");
+    command.add("--gi", flags->gi, "GI method of the on side; default: the scene's own");
+    command.add("--set", flags->sets, "component.field=value for the on side; repeatable");
+    command.add("--size", flags->size, "WIDTHxHEIGHT in pixels");
+    command.add("--pairs", flags->pairs, "Pairs of frames").within(1, 100000);
+    command.toggle("--error", flags->error, "Also measure the method's sampling error against rsm_exact; takes minutes");
+    command.add("--json", flags->json, "Also write the figures into this file");
+    command.runs([&global, flags] { return run_onoff(global, *flags); });
 }
 
 }  // namespace sl

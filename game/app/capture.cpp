@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <CLI/CLI.hpp>
-
 #include "engine/core/error.h"
 #include "engine/core/log.h"
 #include "engine/render/capture.h"
@@ -68,24 +66,19 @@ int run_capture(const GlobalFlags& global, const CaptureFlags& flags) {
 
 }  // namespace
 
-void add_capture_command(CLI::App& cli, const GlobalFlags& global, Command& chosen) {
+void add_capture_command(const Flags& program, const GlobalFlags& global) {
     auto flags = std::make_shared<CaptureFlags>();
-    CLI::App* command = cli.add_subcommand("capture", "Render one frame without a display into PNG and EXR files");
-    add_scene_flags(*command, flags->choice);
-    command->add_option("--size", flags->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
-    command->add_option("--frame", flags->frame, "Simulate this many frames of 1/60 s first; the last is kept")
-        ->capture_default_str()
-        ->check(CLI::Range(0u, 1000000u));
-    command->add_option("-o,--output", flags->png, "PNG of the tonemapped picture, or of what --show names");
-    command->add_option("--exr", flags->exr, "EXR with the linear layers: radiance, direct, irradiance, albedo, normal, depth");
-    command->add_option("--show", flags->show, "An image of the frame instead of the picture (see `secondlight list passes`), e.g. irradiance or rsm_flux.0");
-    command->add_option("--print-graph", flags->print_graph, "Print the compiled frame graph: table or mermaid")->expected(0, 1)->default_str("table");
-    command->add_flag("--print-schedule", flags->print_schedule, "Print stages, systems, and what they read, write and wait for");
-    command->add_flag("--stats", flags->stats, "Print triangles, memory, GPU time per pass, and the share of pixels gathered in full");
-    command->callback([&global, &chosen, flags, command] {
-        if (command->count("--print-graph") > 0 && flags->print_graph.empty()) flags->print_graph = "table";
-        chosen = [&global, flags] { return run_capture(global, *flags); };
-    });
+    const Flags command = program.command("capture", "Render one frame without a display into PNG and EXR files");
+    add_scene_flags(command, flags->choice);
+    command.add("--size", flags->size, "WIDTHxHEIGHT in pixels");
+    command.add("--frame", flags->frame, "Simulate this many frames of 1/60 s first; the last is kept").within(0, 1000000);
+    command.add("-o,--output", flags->png, "PNG of the tonemapped picture, or of what --show names");
+    command.add("--exr", flags->exr, "EXR with the linear layers: radiance, direct, irradiance, albedo, normal, depth");
+    command.add("--show", flags->show, "An image of the frame instead of the picture (see `secondlight list passes`), e.g. irradiance or rsm_flux.0");
+    command.add_or_alone("--print-graph", flags->print_graph, "table", "Print the compiled frame graph: table or mermaid");
+    command.toggle("--print-schedule", flags->print_schedule, "Print stages, systems, and what they read, write and wait for");
+    command.toggle("--stats", flags->stats, "Print triangles, memory, GPU time per pass, and the share of pixels gathered in full");
+    command.runs([&global, flags] { return run_capture(global, *flags); });
 }
 
 }  // namespace sl

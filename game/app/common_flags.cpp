@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <CLI/CLI.hpp>
 #include <charconv>
 #include <cstdlib>
 
@@ -8,10 +7,10 @@
 
 namespace sl {
 
-void add_scene_flags(CLI::App& command, SceneChoice& choice) {
-    command.add_option("--scene", choice.scene, "Scene by name (see `secondlight list scenes`) or path")->capture_default_str();
-    command.add_option("--gi", choice.gi, "GI method (see `secondlight list methods`), e.g. rsm_disc or rsm_grid:paper-artefact");
-    command.add_option("--set", choice.sets,
+void add_scene_flags(const Flags& command, SceneChoice& choice) {
+    command.add("--scene", choice.scene, "Scene by name (see `secondlight list scenes`) or path");
+    command.add("--gi", choice.gi, "GI method (see `secondlight list methods`), e.g. rsm_disc or rsm_grid:paper-artefact");
+    command.add("--set", choice.sets,
                        "component.field=value, or entity.component.field=value; repeatable (see `secondlight list settings`)");
 }
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <CLI/CLI.hpp>
 #include <fmt/ranges.h>
 
 #include "engine/core/field_list.h"
@@ -58,15 +57,13 @@ void list_passes(const GlobalFlags& global) {
 
 }  // namespace
 
-void add_list_command(CLI::App& cli, const GlobalFlags& global, Command& chosen) {
-    CLI::App* command = cli.add_subcommand("list", "Tell what can be chosen");
-    command->require_subcommand(1);
+void add_list_command(const Flags& program, const GlobalFlags& global) {
+    const Flags command = program.command("list", "Tell what can be chosen");
+    command.needs_command();
     const auto add = [&](const char* name, const char* help, std::function<void()> print) {
-        command->add_subcommand(name, help)->callback([&chosen, print] {
-            chosen = [print] {
-                print();
-                return 0;
-            };
+        command.command(name, help).runs([print = std::move(print)] {
+            print();
+            return 0;
         });
     };
     add("scenes", "Scenes that come with the game", list_scenes);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "game/app/play.h"
 
-#include <CLI/CLI.hpp>
-
 #include "engine/core/error.h"
 
 namespace sl {
@@ -31,23 +29,20 @@ int run_play(const GlobalFlags& global, PlayFlags flags) {
 
 }  // namespace
 
-void add_play_command(CLI::App& cli, const GlobalFlags& global, Command& chosen) {
+void add_play_command(const Flags& program, const GlobalFlags& global) {
     auto flags = std::make_shared<PlayFlags>();
-    CLI::App* command = cli.add_subcommand("play", "Open the game in a window (H lists the keys)");
-    add_scene_flags(*command, flags->settings.scene);
-    command->add_option("--size", flags->size, "Size of the window")->capture_default_str();
-    command->add_flag("--fullscreen", flags->settings.window.fullscreen,
+    const Flags command = program.command("play", "Open the game in a window (H lists the keys)");
+    add_scene_flags(command, flags->settings.scene);
+    command.add("--size", flags->size, "Size of the window");
+    command.toggle("--fullscreen", flags->settings.window.fullscreen,
                       "Fill the screen (F11 while playing)");
-    command->add_flag("--no-vsync", flags->no_vsync, "Draw as fast as possible, not in step with the screen");
-    command
-        ->add_option("--render-scale", flags->settings.render_scale,
-                     "Pixels drawn per pixel shown, along each axis")
-        ->check(CLI::Range(0.05, 4.0))
-        ->capture_default_str();
-    command->add_option("--frames", flags->settings.max_frames, "Quit after so many frames; 0 plays on")
-        ->capture_default_str();
-    command->callback(
-        [flags, &global, &chosen] { chosen = [flags, &global] { return run_play(global, *flags); }; });
+    command.toggle("--no-vsync", flags->no_vsync, "Draw as fast as possible, not in step with the screen");
+    command.add("--render-scale", flags->settings.render_scale,
+                     "Pixels drawn per pixel shown, along each axis").within(0.05, 4.0)
+        ;
+    command.add("--frames", flags->settings.max_frames, "Quit after so many frames; 0 plays on")
+        ;
+    command.runs([flags, &global] { return run_play(global, *flags); });
 }
 
 }  // namespace sl

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <CLI/CLI.hpp>
 #include <charconv>
 #include <csignal>
 #include <filesystem>
@@ -151,38 +150,36 @@ int run_merge(const std::vector<std::string>& inputs, const std::string& output)
 
 }  // namespace
 
-void add_reference_command(CLI::App& cli, Command& chosen) {
+void add_reference_command(const Flags& program) {
     auto flags = std::make_shared<ReferenceFlags>();
-    CLI::App* command = cli.add_subcommand("reference", "Path-trace a scene: the truth that methods are measured against. An interrupted run continues from its file");
-    add_scene_flags(*command, flags->choice);
-    command->add_option("--size", flags->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
-    command->add_option("--spp", flags->spp, "Samples per pixel, at most")->capture_default_str();
-    command->add_option("--noise", flags->noise, "Also stop when irradiance is this exact: RMS standard error over mean, e.g. 0.01")->check(CLI::NonNegativeNumber);
-    command->add_option("--bounces", flags->bounces, "Reflections of light before the first surface: 0 is direct light alone; full: until the rest is nothing")->capture_default_str();
-    command->add_flag("--no-occlusion", flags->no_occlusion, "One bounce that passes through everything: the model of a reflective shadow map");
-    command->add_option("--reflection", flags->reflection, "full: surfaces reflect with their highlights; diffuse: as a reflective shadow map takes them")
-        ->check(CLI::IsMember({"full", "diffuse"}))->capture_default_str();
-    command->add_option("--pixel", flags->pixel, "area: samples spread over the pixel; centre: through its centre, as a rasterizer does")
-        ->check(CLI::IsMember({"area", "centre"}))->capture_default_str();
-    command->add_option("--seed", flags->seed, "Other random numbers of the same picture")->capture_default_str();
-    command->add_option("--region", flags->region, "X,Y,WIDTH,HEIGHT: only these pixels; `secondlight merge` joins regions");
-    command->add_option("--samples", flags->samples, "FIRST:LAST: only these sample numbers, instead of --spp; `secondlight merge` joins ranges");
-    command->add_option("-o,--output", flags->output, "EXR to write, and to continue from where it exists")->capture_default_str();
-    command->add_option("--png", flags->png, "Also write the picture with the camera's exposure");
-    command->add_flag("--overwrite", flags->overwrite, "Begin anew where the file exists");
-    command->callback([&chosen, flags] { chosen = [flags] { return run_reference(*flags); }; });
+    const Flags command = program.command("reference", "Path-trace a scene: the truth that methods are measured against. An interrupted run continues from its file");
+    add_scene_flags(command, flags->choice);
+    command.add("--size", flags->size, "WIDTHxHEIGHT in pixels");
+    command.add("--spp", flags->spp, "Samples per pixel, at most");
+    command.add("--noise", flags->noise, "Also stop when irradiance is this exact: RMS standard error over mean, e.g. 0.01").not_negative();
+    command.add("--bounces", flags->bounces, "Reflections of light before the first surface: 0 is direct light alone; full: until the rest is nothing");
+    command.toggle("--no-occlusion", flags->no_occlusion, "One bounce that passes through everything: the model of a reflective shadow map");
+    command.add("--reflection", flags->reflection, "full: surfaces reflect with their highlights; diffuse: as a reflective shadow map takes them").one_of({"full", "diffuse"});
+    command.add("--pixel", flags->pixel, "area: samples spread over the pixel; centre: through its centre, as a rasterizer does").one_of({"area", "centre"});
+    command.add("--seed", flags->seed, "Other random numbers of the same picture");
+    command.add("--region", flags->region, "X,Y,WIDTH,HEIGHT: only these pixels; `secondlight merge` joins regions");
+    command.add("--samples", flags->samples, "FIRST:LAST: only these sample numbers, instead of --spp; `secondlight merge` joins ranges");
+    command.add("-o,--output", flags->output, "EXR to write, and to continue from where it exists");
+    command.add("--png", flags->png, "Also write the picture with the camera's exposure");
+    command.toggle("--overwrite", flags->overwrite, "Begin anew where the file exists");
+    command.runs([flags] { return run_reference(*flags); });
 }
 
-void add_merge_command(CLI::App& cli, Command& chosen) {
+void add_merge_command(const Flags& program) {
     struct MergeFlags {
         std::vector<std::string> inputs;
         std::string output = "merged.exr";
     };
     auto flags = std::make_shared<MergeFlags>();
-    CLI::App* command = cli.add_subcommand("merge", "Join references of one picture that hold other pixels or other samples");
-    command->add_option("FILES", flags->inputs, "EXR files written by `secondlight reference`")->required();
-    command->add_option("-o,--output", flags->output, "EXR to write")->capture_default_str();
-    command->callback([&chosen, flags] { chosen = [flags] { return run_merge(flags->inputs, flags->output); }; });
+    const Flags command = program.command("merge", "Join references of one picture that hold other pixels or other samples");
+    command.add("FILES", flags->inputs, "EXR files written by `secondlight reference`").required();
+    command.add("-o,--output", flags->output, "EXR to write");
+    command.runs([flags] { return run_merge(flags->inputs, flags->output); });
 }
 
 }  // namespace sl

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <CLI/CLI.hpp>
-
 #include "engine/render/capture.h"
 #include "game/app/headless.h"
 #include "game/app/progress.h"
@@ -40,13 +38,13 @@ int run_tour(const GlobalFlags& global, const TourFlags& flags) {
 
 }  // namespace
 
-void add_tour_command(CLI::App& cli, const GlobalFlags& global, Command& chosen) {
+void add_tour_command(const Flags& program, const GlobalFlags& global) {
     auto flags = std::make_shared<TourFlags>();
-    CLI::App* command = cli.add_subcommand("tour", "Render outdoors and indoors, GI off and on side by side, without a display");
-    command->add_option("--size", flags->size, "WIDTHxHEIGHT in pixels of each picture")->capture_default_str();
-    command->add_option("--folder", flags->folder, "Where the pictures go")->capture_default_str();
-    command->add_option("--gi", flags->gi, "GI method on the right")->capture_default_str();
-    command->callback([&global, &chosen, flags] { chosen = [&global, flags] { return run_tour(global, *flags); }; });
+    const Flags command = program.command("tour", "Render outdoors and indoors, GI off and on side by side, without a display");
+    command.add("--size", flags->size, "WIDTHxHEIGHT in pixels of each picture");
+    command.add("--folder", flags->folder, "Where the pictures go");
+    command.add("--gi", flags->gi, "GI method on the right");
+    command.runs([&global, flags] { return run_tour(global, *flags); });
 }
 
 }  // namespace sl
