@@ -1,9 +1,35 @@
 // SPDX-License-Identifier: MIT
 #include "game/app/flags.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 
 namespace sl {
+
+int Program::run(int argc, char** argv) const {
+    CLI::App app(about);
+    app.name(name);
+    app.set_version_flag("--version", fmt::format("{} {}", name, version));
+    app.require_subcommand(0, 1);
+    app.fallthrough();
+    Command chosen;
+    declare(Flags(app, chosen));
+    try {
+        if (argc == 1) {
+            const char* arguments[] = {argv[0], unnamed()};
+            app.parse(2, arguments);
+        } else {
+            app.parse(argc, argv);
+        }
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : 2;
+    }
+    prepare();
+    if (chosen) return chosen();
+    fmt::print(stderr, "{}", app.help());
+    return 2;
+}
 
 Flag& Flag::within(double low, double high) {
     option_->check(CLI::Range(low, high));

@@ -34,6 +34,20 @@ class Flag {
     CLI::Option* option_;
 };
 
+class Flags;
+
+/// Understands a command line. `declare` adds flags and commands; `unnamed` is run where the line holds nothing. Returns
+/// the program's exit code: what the chosen command returns, 0 for --help and --version, 2 for wrong flags. `prepare` is
+/// called before a command runs.
+struct Program {
+    std::string name, about, version;
+    std::function<void(const Flags&)> declare;
+    std::function<const char*()> unnamed;
+    std::function<void()> prepare;
+
+    int run(int argc, char** argv) const;
+};
+
 /// The flags of one command, over CLI11; no other file sees its templates, which cost seconds in each. Values must
 /// outlive the parse; what they hold is shown as the default.
 class Flags {

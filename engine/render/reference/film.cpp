@@ -87,17 +87,17 @@ void Film::add(const Film& other) {
 }
 
 double Film::noise() const {
-    double squares = 0.0, sum = 0.0;
+    double squares = 0.0, sum = 0.0, count = 0.0, fewest = std::numeric_limits<double>::infinity();
     for (const PixelSums& pixel : sums_) {
-        if (pixel.surfaces == 0.0) continue;
-        if (pixel.surfaces < 2.0) return std::numeric_limits<double>::infinity();
+        if (pixel.samples > 0.0) fewest = std::min(fewest, pixel.samples);
+        if (pixel.surfaces < 2.0) continue;  // at an outline one sample may have met a surface, and tells no spread
         const double error = standard_error(pixel);
         squares += error * error;
         sum += luminance(irradiance_sum(pixel)) / pixel.surfaces;
+        count += 1.0;
     }
-    const auto count = static_cast<double>(std::ranges::count_if(sums_, [](const PixelSums& p) { return p.surfaces > 0.0; }));
-    if (sum <= 0.0) return std::ranges::any_of(sums_, [](const PixelSums& p) { return p.samples > 0.0; }) ? 0.0 : std::numeric_limits<double>::infinity();
-    return std::sqrt(squares / count) / (sum / count);
+    if (!std::isfinite(fewest) || fewest < 2.0) return std::numeric_limits<double>::infinity();
+    return sum > 0.0 ? std::sqrt(squares / count) / (sum / count) : 0.0;
 }
 
 std::vector<ImageLayer> Film::layers() const {
