@@ -25,7 +25,11 @@ int run(int argc, char** argv) {
                 sl::add_reference_command(line);
                 sl::add_merge_command(line);
                 sl::add_compare_command(line);
-                sl::add_bench_command(line, flags);
+                const sl::Flags bench = line.command("bench", "Measure speed, and speed against error");
+                bench.needs_command();
+                sl::add_bench_onoff_command(bench, flags);
+                sl::add_bench_gi_command(bench, flags);
+                sl::add_bench_rays_command(bench);
             },
         .unnamed = [] { return sl::has_display() ? "play" : "tour"; },
         .prepare = [&] { sl::init_log(flags.log_level.c_str()); },

@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-#include <chrono>
-#include <map>
 #include <nlohmann/json.hpp>
 
 #include "engine/core/error.h"
@@ -9,10 +6,7 @@
 #include "engine/ecs/query.h"
 #include "engine/measure/metrics.h"
 #include "engine/render/capture.h"
-#include "engine/render/gl/gl.h"
-#include "engine/render/pass_times.h"
-#include "engine/render/scene/extract.h"
-#include "game/app/headless.h"
+#include "game/app/bench_side.h"
 #include "game/app/progress.h"
 
 namespace sl {
@@ -29,69 +23,13 @@ struct BenchFlags {
     bool error = false;
 };
 
-/// Milliseconds over runs: smallest, quartiles, largest.
-struct Spread {
-    double low = 0, first = 0, median = 0, third = 0, high = 0;
-};
-
-Spread spread_of(std::vector<double> values) {
-    if (values.empty()) return {};
-    std::ranges::sort(values);
-    const auto at = [&](double share) { return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5)]; };
-    return {values.front(), at(0.25), at(0.5), at(0.75), values.back()};
-}
-
 std::string row(const Spread& s) { return fmt::format("{:>10.2f}{:>10.2f}{:>10.2f}{:>10.2f}{:>10.2f}", s.median, s.first, s.third, s.low, s.high); }
 
 nlohmann::json json_of(const Spread& s) {
     return {{"median", s.median}, {"quartile_1", s.first}, {"quartile_3", s.third}, {"min", s.low}, {"max", s.high}};
 }
 
-/// One of the two sides that alternate: its world, renderer and what was measured.
-struct Side {
-    App app;
-    Renderer renderer{shader_folder()};
-    RenderScene scene;
-    std::vector<double> frames;
-    std::map<std::string, std::vector<double>> passes;
-    std::vector<std::string> order;
-    std::vector<double> gi;
-};
-
-/// The camera turns a little each frame, the same way on both sides: nothing that depends on the view may be reused.
-void turn_camera(App& app, std::uint32_t frame) {
-    const Entity camera = active_camera(app.world);
-    if (!camera) fail("this scene has no active camera to measure from");
-    auto& rotation = app.world.get<Transform>(camera).rotation;
-    const float angle = (frame % 2 == 0 ? 1.0f : -1.0f) * 1e-3f;
-    rotation = glm::normalize(glm::angleAxis(angle, vec3(0, 1, 0)) * rotation);
-}
-
-double draw(Side& side, uvec2 size, std::uint32_t frame, bool per_pass) {
-    turn_camera(side.app, frame);
-    side.app.schedule.run(side.app.world);
-    side.renderer.executor().set_timing(per_pass);
-    glFinish();
-    const auto start = std::chrono::steady_clock::now();
-    extract(side.app.world, side.scene);
-    side.renderer.render(side.scene, {.width = size.x, .height = size.y, .frame_index = frame});
-    glFinish();
-    const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - start;
-    return passed.count();
-}
-
-void measure(Side& side, uvec2 size, std::uint32_t frame) {
-    side.frames.push_back(draw(side, size, 2 * frame, false));
-    draw(side, size, 2 * frame + 1, true);
-    const auto& spans = side.renderer.executor().finished_timings();
-    for (const gl::SpanTime& pass : pass_times(spans)) {
-        if (!side.passes.contains(pass.name)) side.order.push_back(pass.name);
-        side.passes[pass.name].push_back(pass.milliseconds);
-    }
-    side.gi.push_back(gi_milliseconds(spans));
-}
-
-nlohmann::json report(const std::string& scene, const std::string& method, const Side& off, const Side& on) {
+nlohmann::json report(const std::string& scene, const std::string& method, const BenchSide& off, const BenchSide& on) {
     std::vector<double> ratios, differences;
     for (std::size_t i = 0; i < off.frames.size(); ++i) {
         ratios.push_back(on.frames[i] / off.frames[i]);
@@ -152,19 +90,19 @@ int run_onoff(const GlobalFlags& global, const BenchFlags& flags) {
     fmt::print("{} · {} · {}x{}\n", headless.context->renderer(), headless.context->version(), size.x, size.y);
     nlohmann::json results = nlohmann::json::array();
     for (const std::string& scene : flags.scenes) {
-        Side off{.app = open_scene({.scene = scene, .gi = "off"})};
-        Side on{.app = open_scene({.scene = scene, .gi = flags.gi, .sets = flags.sets})};
+        BenchSide off(open_scene({.scene = scene, .gi = "off"}));
+        BenchSide on(open_scene({.scene = scene, .gi = flags.gi, .sets = flags.sets}));
         const auto* settings = on.app.world.find<GiSettings>(active_camera(on.app.world));
         const std::string method(settings != nullptr ? gi_method_name(settings->method) : "off");
         if (flags.error) (void)comparable_map_size(settings != nullptr ? *settings : GiSettings{GiOff{}});
         Progress progress(fmt::format("{}, {}", scene, method));
         for (std::uint32_t warm_up = 0; warm_up < 2; ++warm_up) {
-            draw(off, size, warm_up, false);
-            draw(on, size, warm_up, false);
+            off.draw(size, warm_up, false);
+            on.draw(size, warm_up, false);
         }
         for (std::uint32_t pair = 0; pair < flags.pairs; ++pair) {
-            measure(off, size, pair);
-            measure(on, size, pair);
+            off.measure(size, pair);
+            on.measure(size, pair);
             progress.update(pair + 1, flags.pairs);
         }
         results.push_back(report(scene, method, off, on));
@@ -185,9 +123,7 @@ int run_onoff(const GlobalFlags& global, const BenchFlags& flags) {
 
 }  // namespace
 
-void add_bench_command(const Flags& program, const GlobalFlags& global) {
-    const Flags bench = program.command("bench", "Measure speed");
-    bench.needs_command();
+void add_bench_onoff_command(const Flags& bench, const GlobalFlags& global) {
     auto flags = std::make_shared<BenchFlags>();
     const Flags command = bench.command("onoff", "Frame time with GI off and on, alternating in one process, camera turning");
     command.add("--scene", flags->scenes, "Scenes to measure");

@@ -45,7 +45,8 @@ struct Arriving {
 
 class Walk {
   public:
-    Walk(const World& world, SampleSequence samples, PathSample& out) : world_(world), samples_(samples), out_(out) {}
+    Walk(const World& world, SampleSequence samples, PathSample& out, std::vector<TracedRay>* recorded)
+        : world_(world), samples_(samples), out_(out), recorded_(recorded) {}
 
     /// The whole path behind a first surface.
     void from(const SurfacePoint& point, vec3 to_eye) {
@@ -65,10 +66,12 @@ class Walk {
   private:
     std::optional<TriangleHit> intersect(const Ray& ray) {
         ++out_.rays;
+        if (recorded_ != nullptr) recorded_->push_back({ray, false});
         return world_.scene.intersect(ray);
     }
     bool occluded(const Ray& ray) {
         ++out_.rays;
+        if (recorded_ != nullptr) recorded_->push_back({ray, true});
         return world_.scene.occluded(ray);
     }
 
@@ -196,6 +199,7 @@ class Walk {
     const World& world_;
     SampleSequence samples_;
     PathSample& out_;
+    std::vector<TracedRay>* recorded_;
     static thread_local std::vector<Candidate> weights_;
 };
 
@@ -232,18 +236,25 @@ Ray PathTracer::camera_ray(uvec2 pixel, vec2 within) const {
     return {.origin = vec3(frame_.camera_position), .direction = view_ray(frame_, vec2(2.0f * at.x - 1.0f, 1.0f - 2.0f * at.y)), .nearest = frame_.camera_position.w};
 }
 
-PathSample PathTracer::sample(uvec2 pixel, std::uint32_t number) const {
+PathSample PathTracer::sample(uvec2 pixel, std::uint32_t number) const { return trace(pixel, number, nullptr); }
+
+PathSample PathTracer::sample_recorded(uvec2 pixel, std::uint32_t number, std::vector<TracedRay>& rays) const {
+    return trace(pixel, number, &rays);
+}
+
+PathSample PathTracer::trace(uvec2 pixel, std::uint32_t number, std::vector<TracedRay>* recorded) const {
     PathSample out;
     SampleSequence samples(world_.settings.seed * 2u + (number & 1u), pixel, number >> 1);
     const vec2 within = samples.pair();
     const Ray ray = camera_ray(pixel, world_.settings.pixel_area ? within : vec2(0.5f));
     ++out.rays;
+    if (recorded != nullptr) recorded->push_back({ray, false});
     const auto hit = world_.scene.intersect_front(ray);
     if (!hit) {
         out.direct = world_.sky;
         return out;
     }
-    Walk(world_, samples, out).from(world_.scene.surface_at(*hit), -glm::normalize(ray.direction));
+    Walk(world_, samples, out, recorded).from(world_.scene.surface_at(*hit), -glm::normalize(ray.direction));
     return out;
 }
 

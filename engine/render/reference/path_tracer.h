@@ -43,6 +43,12 @@ struct PathSample {
     vec3 irradiance() const { return irradiance_lights + irradiance_sky + irradiance_emission; }
 };
 
+/// A ray as a path asked for it.
+struct TracedRay {
+    Ray ray;
+    bool shadow = false;  ///< only whether it is blocked was asked
+};
+
 /// The first surface behind a pixel's centre.
 struct FirstSurface {
     vec3 albedo{0.0f}, normal{0.0f}, position{0.0f};
@@ -60,6 +66,9 @@ class PathTracer {
 
     /// Pixel (0, 0) is the upper left. Samples with even and odd numbers are two independent sequences.
     PathSample sample(uvec2 pixel, std::uint32_t number) const;
+    /// The same, and the rays that it traced (but for those past backs on the way from the camera), for measuring what
+    /// their intersections alone cost.
+    PathSample sample_recorded(uvec2 pixel, std::uint32_t number, std::vector<TracedRay>& rays) const;
     FirstSurface first_surface(uvec2 pixel) const;
 
     const TraceScene& scene() const { return world_.scene; }
@@ -79,6 +88,7 @@ class PathTracer {
 
   private:
     Ray camera_ray(uvec2 pixel, vec2 within) const;
+    PathSample trace(uvec2 pixel, std::uint32_t number, std::vector<TracedRay>* recorded) const;
 
     World world_;
     FrameParams frame_;
