@@ -9,10 +9,13 @@
 
 #include "engine/core/clock.h"
 #include "engine/core/error.h"
+#include "engine/core/field_list.h"
 #include "engine/core/text_file.h"
 #include "engine/ecs/query.h"
 #include "engine/ecs/scene_file.h"
 #include "engine/ecs/set_field.h"
+#include "game/gi_presets.h"
+#include "game/source_folder.h"
 #include "game/voxel_content.h"
 
 namespace sl {
@@ -21,14 +24,27 @@ namespace {
 
 std::filesystem::path scene_folder() {
     if (const char* chosen = std::getenv("SECONDLIGHT_SCENES")) return chosen;
-    const std::filesystem::path source = SL_SOURCE_FOLDER "/game/scenes";
-    if (std::filesystem::exists(source)) return source;
-    return std::filesystem::canonical("/proc/self/exe").parent_path() / "scenes";
+    return game_folder() / "scenes";
 }
 
 std::string description_of(const std::filesystem::path& file) {
     const auto json = nlohmann::json::parse(read_text_file(file, 64u << 20), nullptr, false);
     return json.is_object() ? json.value("description", std::string()) : std::string();
+}
+
+/// What a preset sets: one that was measured, or one of the method's own field "preset".
+std::vector<std::string> preset_settings(const std::string& method, const std::string& preset) {
+    std::vector<std::string> names;
+    for (const GiPreset& one : gi_presets()) {
+        if (one.method != method) continue;
+        if (one.step == preset) return one.settings;
+        names.push_back(one.step);
+    }
+    for (const FieldRow& row : list_fields(GiSettings{make_gi_method(method)})) {
+        if (row.name == "preset") return {"preset=" + preset};
+    }
+    if (names.empty()) fail("the GI method {} has no presets", method);
+    fail("the GI method {} has no preset '{}'; choose one of {}", method, preset, fmt::join(names, ", "));
 }
 
 }  // namespace
@@ -65,7 +81,10 @@ void choose_gi(App& app, const std::string& gi) {
     if (const Entity camera = active_camera(app.world)) app.world.add(camera, settings);
     // All cameras alike, so that a following --set gi.field finds the field on each.
     for (auto [entity, other] : Query<GiSettings>(app.world)) other = settings;
-    if (colon != std::string::npos) set_field(app.world, app.registry(), fmt::format("gi.preset={}", gi.substr(colon + 1)));
+    if (colon == std::string::npos) return;
+    for (const std::string& setting : preset_settings(gi.substr(0, colon), gi.substr(colon + 1))) {
+        set_field(app.world, app.registry(), "gi." + setting);
+    }
 }
 
 App open_scene(const SceneChoice& choice) {

@@ -4,6 +4,7 @@
 #include "engine/core/field_list.h"
 #include "engine/render/capture.h"
 #include "game/app/headless.h"
+#include "game/gi_presets.h"
 #include "game/voxel_content.h"
 
 namespace sl {
@@ -15,7 +16,17 @@ void list_scenes() {
 }
 
 void list_methods() {
-    for (const std::string_view name : gi_method_names()) fmt::print("{:<12}{}\n", name, gi_method_claims(make_gi_method(name)));
+    const std::vector<GiPreset> presets = gi_presets();
+    for (const std::string_view name : gi_method_names()) {
+        fmt::print("{:<24}{}\n", name, gi_method_claims(make_gi_method(name)));
+        for (const FieldRow& row : list_fields(GiSettings{make_gi_method(name)})) {
+            if (row.name == "preset") fmt::print("  {:<22}{}\n", fmt::format("{}:PRESET", name), row.range);
+        }
+        for (const GiPreset& preset : presets) {
+            if (preset.method != name) continue;
+            fmt::print("  {:<22}{} ({:.3g} ms, NRMSE {:.0f} %, as measured)\n", fmt::format("{}:{}", name, preset.step), fmt::join(preset.settings, ", "), preset.gi_ms, 100.0 * preset.nrmse);
+        }
+    }
 }
 
 void print_rows(const std::string& component, const std::vector<FieldRow>& rows) {
