@@ -4,8 +4,10 @@
 
 #include <atomic>
 #include <chrono>
+#include <nlohmann/json.hpp>
 
 #include "engine/core/error.h"
+#include "engine/core/text_file.h"
 #include "engine/measure/spread.h"
 #include "engine/render/reference/path_tracer.h"
 #include "engine/render/scene/extract.h"
@@ -19,6 +21,7 @@ struct RayFlags {
     SceneChoice choice;
     std::string size = "160x90";
     std::uint32_t spp = 16, rounds = 5;
+    std::string json;
 };
 
 double seconds_of(const std::function<void()>& work) {
@@ -79,6 +82,15 @@ int run_rays(const RayFlags& flags) {
     row("path tracing, million rays / s", full);
     row("the same rays alone, million / s", bare);
     row("ratio", ratio);
+    if (!flags.json.empty()) {
+        const auto spread = [](const std::vector<double>& values) {
+            const Spread s = spread_of(values);
+            return nlohmann::json{{"median", s.median}, {"min", s.low}, {"max", s.high}};
+        };
+        const nlohmann::json all{{"scene", flags.choice.scene}, {"triangles", tracer.scene().triangles()}, {"rays", rays}, {"shadow_rays", shadow},
+                                 {"path_tracing", spread(full)}, {"rays_alone", spread(bare)}, {"ratio", spread(ratio)}};
+        write_text_file(flags.json, all.dump(2) + "\n");
+    }
     return 0;
 }
 
@@ -91,6 +103,7 @@ void add_bench_rays_command(const Flags& bench) {
     command.add("--size", flags->size, "WIDTHxHEIGHT in pixels");
     command.add("--spp", flags->spp, "Samples per pixel").within(1, 4096);
     command.add("--rounds", flags->rounds, "Times that both take turns").within(1, 1000);
+    command.add("--json", flags->json, "Also write the figures into this file");
     command.runs([flags] { return run_rays(*flags); });
 }
 

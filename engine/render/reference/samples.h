@@ -11,15 +11,16 @@ namespace sl {
 class SampleSequence {
   public:
     SampleSequence(std::uint32_t seed, uvec2 pixel, std::uint32_t sample)
-        : seed_(mix(mix(mix(seed ^ 0x68bc21ebu) ^ pixel.x) ^ (pixel.y * 0x9e3779b1u))), sample_(sample) {}
+        : seed_(mix(mix(mix(seed ^ 0x68bc21ebu) ^ pixel.x) ^ (pixel.y * 0x9e3779b1u))), reversed_sample_(reverse(sample)) {}
 
     /// The next two dimensions, each in [0, 1).
     vec2 pair() {
+        // Numbers are kept with their bits reversed where that saves turning them round twice.
         const std::uint32_t seed = mix(seed_ ^ (++dimension_ * 0x85ebca6bu));
-        const std::uint32_t index = owen_scramble(sample_, seed);
-        const std::uint32_t x = owen_scramble(reverse(index), mix(seed ^ 0xb5297a4du));
-        const std::uint32_t y = owen_scramble(sobol_second(index), mix(seed ^ 0x1b56c4e9u));
-        return vec2(to_unit(x), to_unit(y));
+        const std::uint32_t index = reverse(scramble_reversed(reversed_sample_, seed));
+        const std::uint32_t x = scramble_reversed(index, mix(seed ^ 0xb5297a4du));
+        const std::uint32_t y = scramble_reversed(pascal(index), mix(seed ^ 0x1b56c4e9u));
+        return vec2(to_unit(reverse(x)), to_unit(reverse(y)));
     }
 
   private:
@@ -34,27 +35,28 @@ class SampleSequence {
         v = ((v >> 4) & 0x0f0f0f0fu) | ((v & 0x0f0f0f0fu) << 4);
         return __builtin_bswap32(v);
     }
-    /// Each bit is flipped by a hash of the bits above it (Laine & Karras 2011, on reversed bits; constants of Vegdahl 2021).
-    static std::uint32_t owen_scramble(std::uint32_t v, std::uint32_t seed) {
-        v = reverse(v);
+    /// Owen scrambling of a number whose bits are reversed: each bit is flipped by a hash of the bits above it (Laine &
+    /// Karras 2011; constants of Vegdahl 2021).
+    static std::uint32_t scramble_reversed(std::uint32_t v, std::uint32_t seed) {
         v ^= v * 0x3d20adeau;
         v += seed;
         v *= (seed >> 16) | 1u;
         v ^= v * 0x05526c56u;
         v ^= v * 0x53a22864u;
-        return reverse(v);
+        return v;
     }
-    /// Second dimension of the Sobol' sequence: its generator matrix is Pascal's triangle modulo 2.
-    static std::uint32_t sobol_second(std::uint32_t index) {
-        std::uint32_t v = 1u << 31, result = 0;
-        for (; index != 0; index >>= 1, v ^= v >> 1) {
-            if (index & 1u) result ^= v;
-        }
-        return result;
+    /// Times Pascal's triangle modulo 2, whose reversed bits are the second dimension of the Sobol' sequence: bit j is the
+    /// parity of all bits k whose number contains j's (Lucas), summed up one binary digit at a time.
+    static std::uint32_t pascal(std::uint32_t v) {
+        v ^= (v & 0xaaaaaaaau) >> 1;
+        v ^= (v & 0xccccccccu) >> 2;
+        v ^= (v & 0xf0f0f0f0u) >> 4;
+        v ^= (v & 0xff00ff00u) >> 8;
+        return v ^ (v >> 16);
     }
     static float to_unit(std::uint32_t v) { return static_cast<float>(v >> 8) * 0x1p-24f; }
 
-    std::uint32_t seed_, sample_, dimension_ = 0;
+    std::uint32_t seed_, reversed_sample_, dimension_ = 0;
 };
 
 }  // namespace sl
