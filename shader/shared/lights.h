@@ -11,7 +11,7 @@ struct LightParams {
     vec4 position;             ///< xyz: m; w: range, m, 0 = without end
     vec4 direction;            ///< xyz: unit vector in which light travels; w: texel of the shadow map (m for directional, tangent for spot)
     vec4 intensity;            ///< rgb: lux or candela; w: area (m²) or plane area at distance 1 of the whole map
-    vec4 cone;                 ///< x: scale, y: offset of the glTF cone falloff
+    vec4 cone;                 ///< x: scale, y: offset of the glTF cone falloff; z: share of the flux of all lights that bounce
     uvec4 kind;                ///< x: light_*; y: shadow layer; z: RSM layer; w: unused
 };
 

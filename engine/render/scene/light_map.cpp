@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/gtc/constants.hpp>
+
 #include "engine/core/check.h"
 
 namespace sl {
@@ -89,6 +91,22 @@ LightParams light_params(const Light& light, const LightMap& map) {
     return params;
 }
 
+/// Lumen that a light throws into its map.
+double flux_of(const Light& light, const LightMap& map) {
+    const double strength = glm::dot(light.intensity, vec3(0.2126f, 0.7152f, 0.0722f));
+    const double extent = light.kind == Light::Kind::directional ? double{map.map_area} : 2.0 * glm::pi<double>() * (1.0 - std::cos(double{light.outer_cone}));
+    return strength * extent;
+}
+
+void share_flux(const RenderScene& scene, LightTable& table) {
+    double total = 0.0;
+    for (const std::uint32_t light : table.rsm_layers) total += flux_of(scene.lights[light], table.maps[light]);
+    if (total <= 0.0) return;
+    for (const std::uint32_t light : table.rsm_layers) {
+        table.params[light].cone.z = static_cast<float>(flux_of(scene.lights[light], table.maps[light]) / total);
+    }
+}
+
 }  // namespace
 
 LightMap fit_light_map(const RenderScene& scene, const Light& light) {
@@ -120,6 +138,7 @@ LightTable build_light_table(const RenderScene& scene) {
         }
         table.params.push_back(params);
     }
+    share_flux(scene, table);
     return table;
 }
 
