@@ -31,10 +31,21 @@ TEST_P(Relations, TwoLightsGiveTheSumOfEach) {
             expect_within_noise(relation, both, {.mean = one.mean + other.mean, .error = glm::sqrt(one.error * one.error + other.error * other.error)});
             return;
         }
-        LightMethod for_one = method();
-        // Two lights share the samples of rsm_disc: one light alone gets as many as each of the two with half of them.
-        if (auto* disc = std::get_if<RsmDisc>(&*for_one.gi)) disc->samples /= 2;
-        const Picture both = draw(plan), one = draw(a, {}, for_one), other = draw(b, {}, for_one);
+        // The lights share the samples of rsm_disc by their flux (shader/lib/rsm_disc.glsl): each alone is drawn with those
+        // that it gets beside the other.
+        const auto alone = [&](const ScenePlan::Lamp& lamp) {
+            LightMethod result = method();
+            auto* disc = std::get_if<RsmDisc>(&*result.gi);
+            if (disc == nullptr) return result;
+            SceneBuilder builder;
+            build(plan, {}, builder);
+            // The scene sorts its lights by kind; a directional first lamp stays first, and two spots keep their order.
+            const LightTable table = build_light_table(builder.scene());
+            const std::size_t row = &lamp == &plan.lamps[0] ? 0 : 1;
+            disc->samples = std::max(static_cast<std::uint32_t>(static_cast<float>(disc->samples) * (0.125f + 0.75f * table.params[row].cone.z) + 0.5f), 1u);
+            return result;
+        };
+        const Picture both = draw(plan), one = draw(a, {}, alone(plan.lamps[0])), other = draw(b, {}, alone(plan.lamps[1]));
         Picture sum = one;
         for (std::size_t i = 0; i < sum.size(); ++i) {
             sum.irradiance[i] += other.irradiance[i];

@@ -93,7 +93,8 @@ LightParams light_params(const Light& light, const LightMap& map) {
 
 /// Lumen that a light throws into its map.
 double flux_of(const Light& light, const LightMap& map) {
-    const double strength = glm::dot(light.intensity, vec3(0.2126f, 0.7152f, 0.0722f));
+    // Not luminance: all three channels are gathered alike.
+    const double strength = double{light.intensity.x} + light.intensity.y + light.intensity.z;
     const double extent = light.kind == Light::Kind::directional ? double{map.map_area} : 2.0 * glm::pi<double>() * (1.0 - std::cos(double{light.outer_cone}));
     return strength * extent;
 }
