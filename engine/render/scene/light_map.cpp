@@ -78,15 +78,23 @@ std::uint64_t light_hash(const Light& light) {
     return hash_bytes(0x11947, values.data(), sizeof values);
 }
 
+/// 1 - cos without losing digits near 0.
+double versine(double angle) { return 2.0 * std::pow(std::sin(0.5 * angle), 2.0); }
+
+/// glTF's sample code never lets the ramp be narrower than 0.001 in the cosine, which all but puts out lights of less than
+/// 2.5°. A share of the cone serves as well against a division by zero, and leaves a hard edge hard.
+vec4 cone_ramp(double inner, double outer) {
+    const double edge = versine(outer), width = std::max(edge - versine(inner), 1e-4 * edge + 1e-15);
+    return vec4(1.0 / width, edge / width, 0.0, 0.0);
+}
+
 LightParams light_params(const Light& light, const LightMap& map) {
     LightParams params{};
     params.map_clip_from_world = map.clip_from_world;
     params.position = vec4(light.position, light.range);
     params.direction = vec4(light.direction, 2.0f * map.half_extent / static_cast<float>(light.shadow_size));
     params.intensity = vec4(light.intensity, map.map_area);
-    const float cos_outer = std::cos(light.outer_cone);
-    const float scale = 1.0f / std::max(0.001f, std::cos(light.inner_cone) - cos_outer);
-    params.cone = vec4(scale, -cos_outer * scale, 0.0f, 0.0f);
+    params.cone = cone_ramp(light.inner_cone, light.outer_cone);
     params.kind = uvec4(static_cast<std::uint32_t>(light.kind), no_layer, no_layer, 0);
     return params;
 }
