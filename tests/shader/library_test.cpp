@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Each shader library function on the GPU against the same text compiled as C++, or against what it must undo.
-#include <unistd.h>
-
-#include <fstream>
+// Each function of shader/shared on the GPU against the same text compiled as C++, or against what it must undo. The files of
+// shader/lib have tests of their own beside this one.
 #include <random>
 
 #include "engine/core/math.h"
@@ -11,45 +9,21 @@
 #include "shared/octahedral.h"
 #include "shared/rsm.h"
 #include "shared/tonemap.h"
-#include "tests/support/gl_test.h"
+#include "tests/shader/library_fixture.h"
 
 namespace sl {
 namespace {
 
 constexpr std::size_t count = 4096;
 
-class ShaderLibrary : public GlTest {
+class ShaderLibrary : public LibraryTest {
   protected:
     /// Runs `body`, which turns vec4 a, b into `result`, over all pairs.
     std::vector<vec4> run(const std::string& includes, const std::string& body, const std::vector<vec4>& a, const std::vector<vec4>& b) {
-        const auto folder = std::filesystem::temp_directory_path() / fmt::format("sl_library_{}", ::getpid());
-        std::filesystem::remove_all(folder);
-        std::filesystem::copy(shader_folder(), folder, std::filesystem::copy_options::recursive);
-        std::ofstream(folder / "test.comp") << includes << "layout(local_size_x = 64) in;\n"
-                                            << "layout(std430) readonly buffer A { vec4 as[]; };\nlayout(std430) readonly buffer B { vec4 bs[]; };\n"
-                                            << "layout(std430) writeonly buffer C { vec4 cs[]; };\n"
-                                            << "void main() {\n    vec4 a = as[gl_GlobalInvocationID.x];\n    vec4 b = bs[gl_GlobalInvocationID.x];\n"
-                                            << "    vec4 result = vec4(0);\n" << body << "\n    cs[gl_GlobalInvocationID.x] = result;\n}\n";
-        gl::ProgramCache cache(folder);
-        const gl::Program& program = cache.get({.compute = "test.comp"});
-        gl::Buffer in_a, in_b, out;
-        in_a.upload(a);
-        in_b.upload(b);
-        out.reserve(a.size() * sizeof(vec4));
-        glUseProgram(program.id());
-        const auto bind = [&](const char* name, const gl::Buffer& buffer) {
-            if (program.storage_blocks().contains(name)) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, program.storage_blocks().at(name), buffer.id());
-        };
-        bind("A", in_a);
-        bind("B", in_b);
-        bind("C", out);
-        glDispatchCompute(static_cast<GLuint>(a.size() / 64), 1, 1);
-        glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-        const std::vector<std::byte> bytes = out.read(a.size() * sizeof(vec4));
-        std::vector<vec4> result(a.size());
-        std::memcpy(result.data(), bytes.data(), bytes.size());
-        std::filesystem::remove_all(folder);
-        return result;
+        give("A", a);
+        give("B", b);
+        return compute(includes + "layout(std430) readonly buffer A { vec4 as[]; };\nlayout(std430) readonly buffer B { vec4 bs[]; };\n",
+                       "    vec4 a = as[i];\n    vec4 b = bs[i];\n" + body, a.size());
     }
 
     std::vector<vec4> random_values(unsigned seed, float low, float high) {
@@ -68,10 +42,6 @@ class ShaderLibrary : public GlTest {
         return values;
     }
 };
-
-void expect_close(const vec4& gpu, const vec4& cpu, float tolerance, std::size_t i) {
-    for (int c = 0; c < 4; ++c) ASSERT_NEAR(gpu[c], cpu[c], tolerance * std::max(1.0f, std::abs(cpu[c]))) << "item " << i << ", component " << c;
-}
 
 TEST_F(ShaderLibrary, OctahedralRoundTrip) {
     const auto directions = random_directions(1);
