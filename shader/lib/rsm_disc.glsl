@@ -39,12 +39,10 @@ vec3 gather_layer(LightParams light, uint layer, Point point, ivec2 pixel, uint 
         bool inside = all(greaterThanEqual(at, vec2(0.0))) && all(lessThan(at, vec2(size)));
         ivec2 cell = clamp(ivec2(at), ivec2(0), ivec2(size) - 1);
         RsmPackedTexel texel = texels[first + uint(cell.y) * uint(size) + uint(cell.x)];
-        float area = uintBitsToFloat(texel.light.z);
-        vec3 flux = vec3(unpackHalf2x16(texel.light.x), unpackHalf2x16(texel.light.y).x) * area;
         float weight = inside ? xi : 0.0;
-        sum += texel_irradiance(flux, texel.position.xyz, unpack_texel_normal(texel.position.w), area, point.position, point.normal) * weight;
+        sum += texel_irradiance(texel.light.rgb, texel.position.xyz, unpack_texel_normal(texel.position.w), texel.light.w, point.position, point.normal) * weight;
     }
-    return sum * (weight_scale * packed_radiosity_unit);
+    return sum * weight_scale;
 }
 
 // How many of all samples a light gets: a quarter is dealt evenly, the rest by what each light throws into its map, so that

@@ -13,8 +13,10 @@ static const ResultTable& registered = hard_case_table();
 
 std::vector<LightMethod> careful_methods() {
     std::vector<LightMethod> methods = small_methods(128);
-    methods[2].gi = RsmDisc{.rsm_size = 128, .samples = 4096, .radius = 1.5f, .low_resolution = 4};
-    methods[3].samples = 512;
+    for (LightMethod& method : methods) {
+        if (auto* disc = method.traced() ? nullptr : std::get_if<RsmDisc>(&*method.gi)) disc->samples = 4096;
+        method.samples = 512;
+    }
     return methods;
 }
 INSTANTIATE_TEST_SUITE_P(All, HardCases, testing::ValuesIn(careful_methods()), method_name_of);

@@ -90,7 +90,7 @@ TEST_P(HardCases, BlackAlbedo) {
 }
 
 TEST_P(HardCases, MoreLightThanHalfFloatsHold) {
-    // 10⁹ candela at 1 cm: 10¹³ lux. rsm_disc ends at 10⁶; nothing may become infinite.
+    // 10⁹ candela at 1 cm: 10¹³ lux.
     SceneBuilder builder;
     builder.add({Shape::Kind::quad, vec3(4)}, mat4(1.0f), vec3(1.0f));
     builder.add({Shape::Kind::box, vec3(1)}, at(vec3(1, 0.5f, 0)), vec3(1.0f));

@@ -113,6 +113,7 @@ void Relations::expect_within(const std::string& relation, double measured, doub
 
 void Relations::expect_within_noise(const std::string& relation, const TracedMean& a, const TracedMean& b) const {
     // With 7 + 7 degrees of freedom chance exceeds 6 standard errors once in 30,000 comparisons.
+    // That holds for bell-shaped means; a seed of its own may meet a rare bright path.
     constexpr double most_errors = 6.0;
     for (int c = 0; c < 3; ++c) {
         const double noise = std::hypot(a.error[c], b.error[c]), difference = std::abs(a.mean[c] - b.mean[c]);
