@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // lib/rsm_disc.glsl: whatever the number of samples and the radius, the disc's mean is the plain sum over all texels.
 #include <array>
-#include <bit>
 #include <cmath>
 #include <glm/gtc/packing.hpp>
 
@@ -48,12 +47,14 @@ class RsmDiscLibrary : public LibraryTest {
             const float lit = glm::length(at) < spot_radius ? radiosity : 0.0f;
             RsmPackedTexel texel;
             texel.position = vec4(at.x, 0, -at.y, up.x * 4096.0f + up.y);
-            texel.light = uvec4(glm::packHalf2x16(vec2(lit) / packed_radiosity_unit), glm::packHalf2x16(vec2(lit, 0) / packed_radiosity_unit), std::bit_cast<std::uint32_t>(texel_area), 0);
+            texel.light = vec4(vec3(lit * texel_area), texel_area);
             texels_.push_back(texel);
         }
     }
 
     void give_inputs(const Disc& disc) {
+        // The lights are alike: each has the same share of the flux.
+        for (LightParams& light : lights_) light.cone.z = light.kind.z != no_layer ? 1.0f / static_cast<float>(layers_) : 0.0f;
         RsmGatherParams params{};
         params.map = vec4(size, layers_, disc.strength, 1);
         params.disc = vec4(disc.samples, disc.radius, 1, 1);
@@ -92,8 +93,7 @@ class RsmDiscLibrary : public LibraryTest {
     double plain_sum(vec3 position, vec3 normal) const {
         double sum = 0.0;
         for (const RsmPackedTexel& texel : texels_) {
-            const float radiosity = glm::unpackHalf2x16(texel.light.x).x * packed_radiosity_unit;
-            sum += texel_irradiance(vec3(radiosity * texel_area), vec3(texel.position), vec3(0, 1, 0), texel_area, position, normal).x;
+            sum += texel_irradiance(vec3(texel.light), vec3(texel.position), vec3(0, 1, 0), texel_area, position, normal).x;
         }
         return sum;
     }
