@@ -70,6 +70,9 @@ void write_text_file(const std::filesystem::path& path, std::string_view text) {
     std::error_code error;
     const bool exists = std::filesystem::exists(path, error);
     const std::filesystem::path target = exists ? std::filesystem::canonical(path) : path;
+    if (exists && !std::filesystem::is_regular_file(target, error)) {
+        fail("{}: cannot be written: it is no regular file, and would be replaced", path.string());
+    }
     std::filesystem::path beside = target;
     beside += fmt::format(".{}.tmp", ::getpid());
     struct stat old {};

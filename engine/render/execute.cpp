@@ -199,6 +199,7 @@ void Executor::issue(const PassRecord& pass, const gl::Program& program) {
             for (const DrawCall& call : *pass.draws) {
                 glVertexArrayVertexBuffer(vertex_array_, 0, call.vertex_buffer, 0, sizeof(Vertex));
                 glVertexArrayElementBuffer(vertex_array_, call.index_buffer);
+                glFrontFace(call.mirrored ? GL_CW : GL_CCW);
                 if (draw_index != program.uniforms().end()) glUniform1ui(draw_index->second, call.draw_index);
                 glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(call.index_count), GL_UNSIGNED_INT, nullptr);
             }

@@ -45,6 +45,8 @@ int run_capture(const GlobalFlags& global, const CaptureFlags& flags) {
     if (!flags.print_graph.empty() && flags.print_graph != "table" && flags.print_graph != "mermaid") {
         fail("--print-graph '{}': choose table or mermaid", flags.print_graph);
     }
+    check_output(flags.png, ".png");
+    check_output(flags.exr, ".exr");
     App app = open_scene(flags.choice);
     if (flags.print_schedule) fmt::print("{}", app.schedule.describe());
     Headless headless(global);
@@ -61,6 +63,9 @@ int run_capture(const GlobalFlags& global, const CaptureFlags& flags) {
     if (!flags.png.empty()) write_png(flags.png, captured.picture);
     if (!flags.exr.empty()) write_exr(flags.exr, captured.layers);
     headless.check_errors();
+    if (flags.png.empty() && flags.exr.empty() && flags.print_graph.empty() && !flags.print_schedule && !flags.stats) {
+        log::warn("the frame was drawn, and nothing asked for: name a file with -o or --exr");
+    }
     return 0;
 }
 
@@ -73,7 +78,7 @@ void add_capture_command(const Flags& program, const GlobalFlags& global) {
     command.add("--size", flags->size, "WIDTHxHEIGHT in pixels");
     command.add("--frame", flags->frame, "Simulate this many frames of 1/60 s first; the last is kept").within(0, 1000000);
     command.add("-o,--output", flags->png, "PNG of the tonemapped picture, or of what --show names");
-    command.add("--exr", flags->exr, "EXR with the linear layers: radiance, direct, irradiance, albedo, normal, depth");
+    command.add("--exr", flags->exr, "EXR with the linear layers: the picture's radiance (unnamed), direct, irradiance, albedo, normal, depth");
     command.add("--show", flags->show, "An image of the frame instead of the picture (see `secondlight list passes`), e.g. irradiance or rsm_flux.0");
     command.add_or_alone("--print-graph", flags->print_graph, "table", "Print the compiled frame graph: table or mermaid");
     command.toggle("--print-schedule", flags->print_schedule, "Print stages, systems, and what they read, write and wait for");

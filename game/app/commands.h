@@ -29,6 +29,10 @@ void add_compare_command(const Flags& program);
 /// The flags --scene, --gi and --set that several commands share.
 void add_scene_flags(const Flags& command, SceneChoice& choice);
 
+/// Throws Error where a file's name does not end in its format, or its folder is missing; an empty name is fine. Before long
+/// work, not after.
+void check_output(const std::string& file, const char* extension);
+
 /// "640x360" to width and height. Throws Error stating the limits.
 uvec2 parse_size(const std::string& text);
 

@@ -14,6 +14,16 @@ void add_scene_flags(const Flags& command, SceneChoice& choice) {
                        "component.field=value, or entity.component.field=value; repeatable (see `secondlight list settings`)");
 }
 
+void check_output(const std::string& file, const char* extension) {
+    if (file.empty()) return;
+    const std::filesystem::path path(file);
+    if (path.extension() != extension) fail("{}: it is written as {}, so let its name end in that", file, extension + 1);
+    std::error_code ignored;
+    if (path.has_parent_path() && !std::filesystem::is_directory(path.parent_path(), ignored)) {
+        fail("{}: cannot be written: there is no folder {}", file, path.parent_path().string());
+    }
+}
+
 uvec2 parse_size(const std::string& text) {
     constexpr unsigned limit = 16384;
     uvec2 size(0);

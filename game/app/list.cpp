@@ -56,6 +56,7 @@ void list_passes(const GlobalFlags& global) {
     Headless headless(global);
     for (const std::string_view method : gi_method_names()) {
         App app = open_scene({.scene = "outdoor", .gi = std::string(method), .sets = {}});
+        headless.renderer.forget();  // what another method has drawn would not be drawn again
         (void)capture(app, headless.renderer, {.width = 16, .height = 9});
         std::vector<std::string> passes;
         for (const Step& step : headless.renderer.steps()) {

@@ -103,6 +103,8 @@ void write_picture(const std::string& path, const Film& film, float exposure) {
 
 int run_reference(const ReferenceFlags& flags) {
     const uvec2 size = parse_size(flags.size);
+    check_output(flags.output, ".exr");
+    check_output(flags.png, ".png");
     const FilmBlock block = block_of(flags, size);
     App app = open_scene(flags.choice);
     RenderScene scene;
@@ -133,6 +135,7 @@ int run_reference(const ReferenceFlags& flags) {
 }
 
 int run_merge(const std::vector<std::string>& inputs, const std::string& output) {
+    check_output(output, ".exr");
     ReferenceFile merged = read_reference(inputs.front());
     for (std::size_t i = 1; i < inputs.size(); ++i) {
         const ReferenceFile next = read_reference(inputs[i]);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "engine/core/error.h"
 #include "engine/render/capture.h"
 #include "game/app/headless.h"
 #include "game/app/progress.h"
@@ -15,7 +16,10 @@ struct TourFlags {
 
 int run_tour(const GlobalFlags& global, const TourFlags& flags) {
     const uvec2 size = parse_size(flags.size);
-    std::filesystem::create_directories(flags.folder);
+    (void)make_gi_method(flags.gi.substr(0, flags.gi.find(':')));  // a wrong name is told before the first picture is drawn
+    std::error_code error;
+    std::filesystem::create_directories(flags.folder, error);
+    if (error) fail("{}: this folder cannot be made ({}); choose another --folder", flags.folder, error.message());
     Headless headless(global);
     fmt::print("Rendering without a display on {}.\n", headless.context->renderer());
     for (const char* scene : {"outdoor", "indoor"}) {

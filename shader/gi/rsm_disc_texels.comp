@@ -4,19 +4,19 @@
 #include "shared/rsm.h"
 
 layout(local_size_x = 64) in;
+#include "lib/linear_index.glsl"
 uniform sampler2DArray rsm_position;
 uniform sampler2DArray rsm_flux;
 layout(std430) writeonly buffer Texels { RsmPackedTexel texels[]; };
 
 void main() {
     uint size = uint(textureSize(rsm_position, 0).x);
-    uint index = gl_GlobalInvocationID.x;
+    uint index = linear_index();
     if (index >= uint(texels.length())) { return; }
     uint within = index % (size * size);
     ivec3 at = ivec3(within % size, within / size, index / (size * size));
     vec4 position = texelFetch(rsm_position, at, 0);
     vec4 flux = texelFetch(rsm_flux, at, 0);
-    vec3 radiosity = min(flux.rgb / max(position.w, 1e-30) / packed_radiosity_unit, vec3(65504.0));
     texels[index].position = vec4(position.xyz, flux.a);
-    texels[index].light = uvec4(packHalf2x16(radiosity.rg), packHalf2x16(vec2(radiosity.b, 0.0)), floatBitsToUint(position.w), 0u);
+    texels[index].light = vec4(flux.rgb, position.w);
 }

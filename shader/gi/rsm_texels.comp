@@ -4,13 +4,14 @@
 #include "shared/rsm.h"
 
 layout(local_size_x = 64) in;
+#include "lib/linear_index.glsl"
 uniform sampler2DArray rsm_position;
 uniform sampler2DArray rsm_flux;
 layout(std430) writeonly buffer Texels { RsmTexel texels[]; };
 
 void main() {
     uint size = uint(textureSize(rsm_position, 0).x);
-    uint index = gl_GlobalInvocationID.x;
+    uint index = linear_index();
     if (index >= uint(texels.length())) { return; }
     uint layer = index / (size * size);
     uint within = index % (size * size);

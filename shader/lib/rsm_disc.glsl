@@ -28,7 +28,7 @@ vec3 gather_layer(LightParams light, uint layer, Point point, ivec2 pixel, uint 
     float turn = gather.disc.z * pixel_turn(pixel) * 2.0 * shared_pi;
     vec2 arm = vec2(cos(turn), sin(turn));
     mat2 golden_turn = mat2(cos(golden), sin(golden), -sin(golden), cos(golden));
-    float inverse_count = 1.0 / gather.disc.x;
+    float inverse_count = 1.0 / float(max(samples, 1u));
     uint first = layer * uint(size) * uint(size);
     float weight_scale = 2.0 * shared_pi * radius * radius * inverse_count;
     vec3 sum = vec3(0.0);
@@ -39,12 +39,17 @@ vec3 gather_layer(LightParams light, uint layer, Point point, ivec2 pixel, uint 
         bool inside = all(greaterThanEqual(at, vec2(0.0))) && all(lessThan(at, vec2(size)));
         ivec2 cell = clamp(ivec2(at), ivec2(0), ivec2(size) - 1);
         RsmPackedTexel texel = texels[first + uint(cell.y) * uint(size) + uint(cell.x)];
-        float area = uintBitsToFloat(texel.light.z);
-        vec3 flux = vec3(unpackHalf2x16(texel.light.x), unpackHalf2x16(texel.light.y).x) * area;
         float weight = inside ? xi : 0.0;
-        sum += texel_irradiance(flux, texel.position.xyz, unpack_texel_normal(texel.position.w), area, point.position, point.normal) * weight;
+        sum += texel_irradiance(texel.light.rgb, texel.position.xyz, unpack_texel_normal(texel.position.w), texel.light.w, point.position, point.normal) * weight;
     }
-    return sum * (weight_scale * packed_radiosity_unit);
+    return sum * weight_scale;
+}
+
+// How many of all samples a light gets: a quarter is dealt evenly, the rest by what each light throws into its map, so that
+// a lamp beside the sun takes few of the sun's. Another light makes each noisier, not the frame slower.
+uint samples_of(LightParams light, uint samples) {
+    float share = 0.25 / gather.map.y + 0.75 * light.cone.z;
+    return light.kind.z == no_layer || samples == 0u ? 0u : max(uint(float(samples) * share + 0.5), 1u);
 }
 
 // All layers' light at a point; no samples, no light.
@@ -52,7 +57,7 @@ vec3 gather_disc(Point point, ivec2 pixel, uint samples) {
     vec3 sum = vec3(0.0);
     for (uint i = 0u; i < frame.counts.x; ++i) {
         LightParams light = lights[i];
-        sum += gather_layer(light, light.kind.z, point, pixel, light.kind.z != no_layer ? samples : 0u);
+        sum += gather_layer(light, light.kind.z, point, pixel, samples_of(light, samples));
     }
     return sum * gather.map.z;
 }

@@ -16,5 +16,5 @@ vec3 position_in_world() { return (draws[draw_index].world_from_local * vec4(ver
 
 vec3 normal_in_world() {
     vec3 normal = octahedral_decode(unpackSnorm2x16(vertex_normal));
-    return normalize(mat3(draws[draw_index].normal_from_local) * normal);
+    return unit_or_zero(mat3(draws[draw_index].normal_from_local) * normal);
 }

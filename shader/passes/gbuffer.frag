@@ -15,7 +15,7 @@ layout(location = 3) out vec4 emission;  // nit
 void main() {
     MaterialParams surface = materials[material_index];
     albedo = vec4(base_colour_of(surface, uv, vertex_tint), 1.0);
-    normal = octahedral_encode(normalize(normal_ws)) * 0.5 + 0.5;
+    normal = octahedral_encode(unit_or_zero(normal_ws)) * 0.5 + 0.5;
     material = vec4(surface.base_colour.a, surface.emission.a, surface.specular.x, 0.0);
     emission = vec4(min(surface_emission(surface, albedo.rgb), vec3(65504.0)), 0.0);  // the largest half float
 }

@@ -21,7 +21,7 @@ void main() {
     LightParams light = lights[view.light.x];
     MaterialParams surface = materials[material_index];
     vec3 diffuse = base_colour_of(surface, uv, vertex_tint) * (1.0 - surface.emission.a);
-    vec3 normal = normalize(normal_ws);
+    vec3 normal = unit_or_zero(normal_ws);
     Incident incident = incident_light(light, position_ws);
     // Area across the light's rays: constant for parallel light; for a cone the texel's solid angle, which shrinks with
     // cos³ off the axis, times distance squared.

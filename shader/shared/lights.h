@@ -11,13 +11,16 @@ struct LightParams {
     vec4 position;             ///< xyz: m; w: range, m, 0 = without end
     vec4 direction;            ///< xyz: unit vector in which light travels; w: texel of the shadow map (m for directional, tangent for spot)
     vec4 intensity;            ///< rgb: lux or candela; w: area (m²) or plane area at distance 1 of the whole map
-    vec4 cone;                 ///< x: scale, y: offset of the glTF cone falloff
+    vec4 cone;                 ///< x: slope, y: height of the ramp at a spot's edge, over 1 - cos of the angle to the axis; z: share of
+                               ///< the flux of all lights that bounce
     uvec4 kind;                ///< x: light_*; y: shadow layer; z: RSM layer; w: unused
 };
 
-/// glTF's smooth edge of a spot's cone: 1 inside the inner, 0 outside the outer half angle.
-SHARED_FN float cone_falloff(vec4 cone, float cos_angle) {
-    float ramp = clamp(cos_angle * cone.x + cone.y, 0.0f, 1.0f);
+/// glTF's smooth edge of a spot's cone: 1 inside the inner, 0 outside the outer half angle. Both vectors are unit. Written
+/// with 1 - cos = |difference|²/2, which keeps its digits in cones so narrow that all their cosines are 1 in float.
+SHARED_FN float cone_falloff(vec4 cone, vec3 axis, vec3 from_light) {
+    vec3 difference = from_light - axis;
+    float ramp = clamp(cone.y - cone.x * 0.5f * dot(difference, difference), 0.0f, 1.0f);
     return ramp * ramp;
 }
 
@@ -47,7 +50,7 @@ SHARED_FN Incident incident_light(LightParams light, vec3 position) {
     float distance = sqrt(distance_squared);
     vec3 to_light = offset / distance;
     float falloff = range_window(distance_squared, light.position.w) / distance_squared;
-    if (light.kind.x == light_spot) { falloff *= cone_falloff(light.cone, -dot(to_light, vec3(light.direction))); }
+    if (light.kind.x == light_spot) { falloff *= cone_falloff(light.cone, vec3(light.direction), -to_light); }
     result.to_light = vec4(to_light, distance);
     result.irradiance = vec4(vec3(light.intensity) * falloff, 0.0f);
     return result;

@@ -5,6 +5,13 @@
 
 SHARED_BEGIN
 
+/// The vector at length 1. One without a length has no direction: it stays zero, where normalize would make NaN of it.
+/// Files bring such normals, normals that cancel within a triangle do, and draws that are scaled flat.
+SHARED_FN vec3 unit_or_zero(vec3 v) {
+    if (!(dot(v, v) > 0.0f)) { return vec3(0.0f); }
+    return normalize(v);
+}
+
 /// A unit vector as a point of the square [-1, 1]² (Cigolle et al. 2014).
 SHARED_FN vec2 octahedral_encode(vec3 v) {
     vec3 folded = v / max(abs(v.x) + abs(v.y) + abs(v.z), 1e-20f);

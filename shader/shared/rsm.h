@@ -12,13 +12,12 @@ struct RsmTexel {
     vec4 flux;      ///< rgb: reflected flux, lumen; w: unused
 };
 
-/// The same in 32 bytes, for gathers in random order, which pay for each word: radiosity (lux, a sixteenth of it, so that
-/// 10⁶ lux fit) as half floats. Radiosity, unlike flux, does not change with the scale of the scene.
+/// The same in 32 bytes, for gathers in random order, which pay for each word. Flux in full floats: half floats end at 65,504
+/// of whatever unit, and a lamp close to a surface lights it with more than any unit fit for moonlight holds.
 struct RsmPackedTexel {
     vec4 position;  ///< xyz: m; w: packed normal (lib/rsm_texel.glsl)
-    uvec4 light;    ///< x: radiosity r, g; y: radiosity b; z: patch area, m², as float bits; w: unused
+    vec4 light;     ///< rgb: reflected flux, lumen; w: patch area, m²
 };
-const float packed_radiosity_unit = 16.0f;
 
 /// Irradiance at a receiver from one texel, seen as a Lambertian disc of its patch's area (no occlusion):
 /// E = (Φ/π) cos θ_p cos θ_x / (d² + A/π). Exact on the disc's axis, bounded everywhere, free of any length to guess.

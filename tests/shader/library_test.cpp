@@ -107,8 +107,8 @@ TEST_F(ShaderLibrary, LightFalloffIsGltfs) {
     spot.direction = vec4(0, 0, -1, 0);
     spot.intensity = vec4(100, 100, 100, 0);
     const float inner = 0.3f, outer = 0.6f;
-    const float scale = 1.0f / std::max(0.001f, std::cos(inner) - std::cos(outer));
-    spot.cone = vec4(scale, -std::cos(outer) * scale, 0, 0);
+    const float scale = 1.0f / (std::cos(inner) - std::cos(outer));
+    spot.cone = vec4(scale, (1.0f - std::cos(outer)) * scale, 0, 0);
     EXPECT_NEAR(incident_light(spot, vec3(0, 0, -2)).irradiance.x, 25.0f, 1e-4f) << "candela over distance squared";
     const auto at_angle = [&](float angle) { return incident_light(spot, 2.0f * vec3(std::sin(angle), 0, -std::cos(angle))).irradiance.x; };
     EXPECT_NEAR(at_angle(0.29f), 25.0f, 1e-3f);

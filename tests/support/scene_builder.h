@@ -19,11 +19,14 @@ class SceneBuilder {
     /// Any mesh of any material.
     void add(MeshData mesh, const mat4& place, const Material& material) {
         RenderScene::Draw draw;
+        // Two builders' meshes have the same handles; a renderer that draws both must not take one for the other.
+        static std::uint32_t meshes_made = 0;
+        const std::uint32_t version = mesh.version = ++meshes_made;
         draw.mesh = meshes_.insert(std::move(mesh));
         draw.world_from_local = place;
         draw.first_material = static_cast<std::uint32_t>(scene_.materials.size());
         draw.bounds = transformed(meshes_.at(draw.mesh).bounds, place);
-        draw.content = hash_bytes(hash_bytes(scene_.draws.size() + 1, &place, sizeof place), &material.base_colour, sizeof(vec3));
+        draw.content = hash_bytes(hash_bytes(hash_mix(scene_.draws.size() + 1, version), &place, sizeof place), &material.base_colour, sizeof(vec3));
         scene_.materials.push_back({material, -1});
         scene_.materials_hash = hash_bytes(scene_.materials_hash, &material.base_colour, sizeof(vec3));
         scene_.bounds.add(draw.bounds);

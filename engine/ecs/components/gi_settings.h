@@ -40,8 +40,8 @@ struct RsmDisc {
     static constexpr std::string_view name = "rsm_disc";
     static constexpr std::string_view claims = "one diffuse bounce without occlusion";
     std::uint32_t rsm_size = 256;
-    std::uint32_t samples = 256;
-    float radius = 0.3f;
+    std::uint32_t samples = 320;
+    float radius = 0.5f;
     bool rotate = false;
     bool interpolate = true;
     std::uint32_t low_resolution = 8;

@@ -111,7 +111,7 @@ inline void visit_fields(FieldVisitor& visit, PointLight& light) {
 inline void visit_fields(FieldVisitor& visit, SkyLight& sky) {
     visit.field("colour", sky.colour, light_colour_info);
     visit.field("luminance", sky.luminance,
-                {.min = 0, .max = 1e6, .unit = "nit", .help = "Radiance of the sky in every direction; clear day 2,000 to 8,000.",
+                {.min = 0, .max = 1e6, .unit = "nit", .help = "Radiance of the sky in every direction; clear day 2,000 to 8,000. Drawn, and lit by in references; the GI methods do not know it yet.",
                  .look = FieldLook::logarithmic});
 }
 

@@ -31,7 +31,7 @@ BufferId packed_texels(const FrameInput& frame, const Rsm& maps) {
     BufferId packed = frame.graph.persistent_buffer("rsm_disc_texels", texels * sizeof(RsmPackedTexel));
     if (!frame.graph.needs_redraw(packed, 0, maps.key)) return packed;
     auto pass = frame.graph.compute("rsm_disc_texels", "gi/rsm_disc_texels.comp");
-    pass.read("rsm_position", maps.position).read("rsm_flux", maps.flux).dispatch((texels + 63) / 64);
+    pass.read("rsm_position", maps.position).read("rsm_flux", maps.flux).dispatch_items(texels, 64);
     return pass.write_storage("Texels", packed);
 }
 
@@ -87,8 +87,7 @@ GiResult indirect_light(const FrameInput& frame, const GBuffer& gbuffer, const R
     Gather gather{.frame = frame, .gbuffer = gbuffer, .texels = packed_texels(frame, maps)};
     gather.params.map = vec4(settings.rsm_size, maps.layers, settings.strength, 1.0f);
     const std::uint32_t spacing = settings.interpolate ? settings.low_resolution : 1;
-    // All lights share the samples: another light makes each noisier, not the frame slower.
-    gather.params.disc = vec4(std::max(settings.samples / maps.layers, 1u), settings.radius, settings.rotate ? 1 : 0, spacing);
+    gather.params.disc = vec4(settings.samples, settings.radius, settings.rotate ? 1 : 0, spacing);
     gather.params.tolerance = vec4(settings.position_tolerance, settings.normal_tolerance, 0, 0);
     if (!settings.interpolate) return {.irradiance = gather_everywhere(gather)};
     return {.irradiance = refine(gather, fill(gather, gather_low(gather, spacing)))};

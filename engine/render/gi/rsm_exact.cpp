@@ -12,7 +12,7 @@ BufferId texel_array(const FrameInput& frame, const Rsm& rsm) {
     BufferId array = frame.graph.persistent_buffer("rsm_texels", texels * sizeof(RsmTexel));
     if (!frame.graph.needs_redraw(array, 0, rsm.key)) return array;
     auto pass = frame.graph.compute("rsm_texels", "gi/rsm_texels.comp");
-    pass.read("rsm_position", rsm.position).read("rsm_flux", rsm.flux).dispatch((texels + 63) / 64);
+    pass.read("rsm_position", rsm.position).read("rsm_flux", rsm.flux).dispatch_items(texels, 64);
     return pass.write_storage("Texels", array);
 }
 

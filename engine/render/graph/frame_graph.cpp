@@ -214,6 +214,13 @@ PassBuilder& PassBuilder::dispatch(std::uint32_t x, std::uint32_t y, std::uint32
     return *this;
 }
 
+PassBuilder& PassBuilder::dispatch_items(std::uint32_t items, std::uint32_t group_size) {
+    constexpr std::uint32_t longest = 32768;  // every OpenGL takes 65,535
+    const std::uint32_t groups = items / group_size + (items % group_size != 0 ? 1 : 0);
+    const std::uint32_t across = std::min(groups, longest);
+    return dispatch(across, across > 0 ? (groups + across - 1) / across : 0);
+}
+
 PassBuilder& PassBuilder::blend_add() {
     record().blend_add = true;
     return *this;

@@ -40,6 +40,9 @@ class PassBuilder {
 
     PassBuilder& draws(DrawList list);
     PassBuilder& dispatch(std::uint32_t x, std::uint32_t y = 1, std::uint32_t z = 1);
+    /// As many work groups as hold `items` invocations, spread over two dimensions where one is too short for them; the
+    /// shader counts with lib/linear_index.glsl, and leaves what is past the last item.
+    PassBuilder& dispatch_items(std::uint32_t items, std::uint32_t group_size);
     PassBuilder& blend_add();
     PassBuilder& two_sided();
     PassBuilder& depth_bias(float slope);

@@ -20,6 +20,7 @@ struct DrawCall {
     std::uint32_t index_buffer = 0;
     std::uint32_t index_count = 0;
     std::uint32_t draw_index = 0;
+    bool mirrored = false;  ///< its matrix turns counter-clockwise triangles clockwise
 };
 using DrawList = std::shared_ptr<const std::vector<DrawCall>>;
 

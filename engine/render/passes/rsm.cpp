@@ -1,9 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "engine/render/passes/rsm.h"
 
+#include "engine/core/error.h"
+
 #include "shared/view.h"
 
 namespace sl {
+
+namespace {
+
+constexpr std::uint32_t most_layers = 2048;  ///< of an array texture, in every OpenGL 4.5
+constexpr std::uint64_t most_texels = std::uint64_t{1} << 26;  ///< 2 GiB of two images
+
+}  // namespace
 
 Rsm rsm(const FrameInput& frame, std::uint32_t size) {
     FrameGraph& graph = frame.graph;
@@ -11,6 +20,11 @@ Rsm rsm(const FrameInput& frame, std::uint32_t size) {
     result.size = size;
     result.layers = static_cast<std::uint32_t>(frame.lights.rsm_layers.size());
     if (result.layers == 0) return result;
+    const std::uint64_t texels = std::uint64_t{size} * size * result.layers;
+    if (result.layers > most_layers || texels > most_texels) {
+        fail("{} lights bounce, with maps of {} x {} texels: that is more than the {} layers and {} million texels that fit; lower gi.rsm_size, or switch off 'bounces' on lights",
+             result.layers, size, size, most_layers, most_texels >> 20);
+    }
     const TextureDesc desc{.width = size, .height = size, .layers = result.layers, .format = Format::rgba32f};
     result.position = graph.persistent("rsm_position", desc);
     result.flux = graph.persistent("rsm_flux", desc);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/gtc/constants.hpp>
+
 #include "engine/core/check.h"
 
 namespace sl {
@@ -76,17 +78,42 @@ std::uint64_t light_hash(const Light& light) {
     return hash_bytes(0x11947, values.data(), sizeof values);
 }
 
+/// 1 - cos without losing digits near 0.
+double versine(double angle) { return 2.0 * std::pow(std::sin(0.5 * angle), 2.0); }
+
+/// glTF's sample code never lets the ramp be narrower than 0.001 in the cosine, which all but puts out lights of less than
+/// 2.5°. A share of the cone serves as well against a division by zero, and leaves a hard edge hard.
+vec4 cone_ramp(double inner, double outer) {
+    const double edge = versine(outer), width = std::max(edge - versine(inner), 1e-4 * edge + 1e-15);
+    return vec4(1.0 / width, edge / width, 0.0, 0.0);
+}
+
 LightParams light_params(const Light& light, const LightMap& map) {
     LightParams params{};
     params.map_clip_from_world = map.clip_from_world;
     params.position = vec4(light.position, light.range);
     params.direction = vec4(light.direction, 2.0f * map.half_extent / static_cast<float>(light.shadow_size));
     params.intensity = vec4(light.intensity, map.map_area);
-    const float cos_outer = std::cos(light.outer_cone);
-    const float scale = 1.0f / std::max(0.001f, std::cos(light.inner_cone) - cos_outer);
-    params.cone = vec4(scale, -cos_outer * scale, 0.0f, 0.0f);
+    params.cone = cone_ramp(light.inner_cone, light.outer_cone);
     params.kind = uvec4(static_cast<std::uint32_t>(light.kind), no_layer, no_layer, 0);
     return params;
+}
+
+/// Lumen that a light throws into its map.
+double flux_of(const Light& light, const LightMap& map) {
+    // Not luminance: all three channels are gathered alike.
+    const double strength = double{light.intensity.x} + light.intensity.y + light.intensity.z;
+    const double extent = light.kind == Light::Kind::directional ? double{map.map_area} : 2.0 * glm::pi<double>() * (1.0 - std::cos(double{light.outer_cone}));
+    return strength * extent;
+}
+
+void share_flux(const RenderScene& scene, LightTable& table) {
+    double total = 0.0;
+    for (const std::uint32_t light : table.rsm_layers) total += flux_of(scene.lights[light], table.maps[light]);
+    if (total <= 0.0) return;
+    for (const std::uint32_t light : table.rsm_layers) {
+        table.params[light].cone.z = static_cast<float>(flux_of(scene.lights[light], table.maps[light]) / total);
+    }
 }
 
 }  // namespace
@@ -120,6 +147,7 @@ LightTable build_light_table(const RenderScene& scene) {
         }
         table.params.push_back(params);
     }
+    share_flux(scene, table);
     return table;
 }
 

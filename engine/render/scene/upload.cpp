@@ -58,7 +58,8 @@ SceneInputs GpuScene::upload(FrameGraph& graph, const RenderScene& scene, const 
     for (const RenderScene::Draw& draw : scene.draws) {
         const GpuMesh& mesh = refresh(scene, draw.mesh);
         inputs.calls.push_back({.vertex_buffer = mesh.vertices.id(), .index_buffer = mesh.indices.id(),
-                                .index_count = mesh.index_count, .draw_index = static_cast<std::uint32_t>(draws.size())});
+                                .index_count = mesh.index_count, .draw_index = static_cast<std::uint32_t>(draws.size()),
+                                .mirrored = glm::determinant(mat3(draw.world_from_local)) < 0.0f});
         inputs.triangles += mesh.index_count / 3;
         draws.push_back({.world_from_local = draw.world_from_local, .normal_from_local = normal_matrix(draw.world_from_local),
                          .first_material = uvec4(draw.first_material, 0, 0, 0)});

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "tests/support/closed_forms.h"
+#include "tests/support/gl_test.h"
+#include "tests/support/method_picture.h"
+#include "tests/support/result_table.h"
+#include "tests/support/scene_builder.h"
+
+namespace sl {
+
+/// The table "hard cases" in docs/hard_cases.md.
+ResultTable& hard_case_table();
+
+using Light = RenderScene::Light;
+inline mat4 at(vec3 place, const mat4& turn = mat4(1.0f)) { return glm::translate(mat4(1.0f), place) * turn; }
+inline const mat4 facing_down = glm::rotate(mat4(1.0f), pi, vec3(1, 0, 0));
+inline const mat4 facing_front = glm::rotate(mat4(1.0f), 0.5f * pi, vec3(1, 0, 0));
+
+/// Parallel light of so many lux that passes through backs, as RSM methods take it.
+inline Light sun(vec3 direction, float lux = 1000.0f) {
+    return {.kind = Light::Kind::directional, .direction = glm::normalize(direction), .intensity = vec3(lux), .bounces = true, .shadow_size = 256};
+}
+/// A spot light with a hard edge.
+inline Light spot(vec3 position, vec3 direction, float candela, float cone) {
+    return {.kind = Light::Kind::spot, .position = position, .direction = glm::normalize(direction), .intensity = vec3(candela), .inner_cone = cone,
+            .outer_cone = cone, .bounces = true, .shadow_size = 256};
+}
+
+/// One method in cases that break renderers. Whatever the case, no pixel may be NaN, infinite or negative.
+class HardCases : public GlTest, public testing::WithParamInterface<LightMethod> {
+  public:
+    const LightMethod& method() const { return GetParam(); }
+    bool is(std::string_view name) const { return method().name == name; }
+
+    /// The scene's picture; fails the test where a pixel is insane.
+    Picture draw(SceneBuilder& builder, uvec2 size = {8, 8}) { return draw(builder, size, method()); }
+    Picture draw(SceneBuilder& builder, uvec2 size, const LightMethod& with) {
+        Picture picture = picture_of(with, builder.scene(), *renderer, size);
+        EXPECT_EQ(insane_pixel(picture), "") << with.name;
+        return picture;
+    }
+    /// Enters the error against a known value into the table, and bounds it: rsm_grid is not in physical units and is only
+    /// asked to survive.
+    struct Bounds {
+        double exact, disc, traced;
+        static constexpr double too_noisy = 0.0;  ///< paths hardly ever meet what lights the picture
+    };
+    void expect_value(const std::string& name, double measured, double truth, const Bounds& most) {
+        EXPECT_TRUE(std::isfinite(measured) && measured >= 0.0) << name;
+        if (is("rsm_grid")) return survives(name);
+        if (method().traced() && most.traced == Bounds::too_noisy) return survives(name, "survives; hardly a path meets the patch");
+        const double error = measured / truth - 1.0, bound = is("rsm_exact") ? most.exact : is("rsm_disc") ? most.disc : most.traced;
+        hard_case_table().say(name, method().name, fmt::format("{}{}", error < 0.0 ? "-" : error > 0.0 ? "+" : "", ResultTable::figure(std::abs(error))));
+        EXPECT_LT(std::abs(error), bound) << name << ": " << measured << " instead of " << truth;
+    }
+    void survives(const std::string& name, const std::string& how = "survives") {
+        hard_case_table().say(name, method().name, HasFailure() ? "**fails**" : how);
+    }
+};
+
+}  // namespace sl

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The test framework first: RapidCheck's header expects it.
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
+
+#include "tests/relations/random_scene.h"
+#include "tests/support/gl_test.h"
+#include "tests/support/method_picture.h"
+#include "tests/support/result_table.h"
+
+namespace sl {
+
+/// Random plans: 1 to 6 things, the first a box; 1 to 3 lights, the first one with a map.
+rc::Gen<ScenePlan> scene_plans();
+
+/// The table "relations" in docs/gi.md.
+ResultTable& relation_table();
+
+/// A picture's mean irradiance as the path tracer estimates it, with its standard error, from independent seeds.
+struct TracedMean {
+    static constexpr int seeds = 8;
+    glm::dvec3 mean{0.0}, error{0.0};
+};
+
+/// Relations between pictures of one random scene, for one method.
+class Relations : public GlTest, public testing::WithParamInterface<LightMethod> {
+  public:
+    static constexpr uvec2 size{16, 12};
+
+    const LightMethod& method() const { return GetParam(); }
+    bool is(std::string_view name) const { return method().name == name; }
+    Picture draw(const ScenePlan& plan, const SceneChange& change = {}) { return draw(plan, change, method()); }
+    Picture draw(const ScenePlan& plan, const SceneChange& change, const LightMethod& with);
+    TracedMean trace(const ScenePlan& plan, const SceneChange& change = {}, std::uint32_t samples = 32) const;
+
+    /// Checks a property of many random plans. The seed is fixed, so that a run does not depend on luck; look for more
+    /// with RC_PARAMS="seed=1 max_success=500".
+    void for_plans(const std::function<void(const ScenePlan&)>& property) const {
+        rc::detail::checkGTest([&] { property(*scene_plans().as("scene")); });
+    }
+
+    /// The method with so many texels and, where it samples them, samples for nearly all of them.
+    LightMethod finer(std::uint32_t rsm_size) const;
+
+    /// Requires that a deviation is at most `bound`, and enters it into the table.
+    void expect_within(const std::string& relation, double deviation, double bound) const;
+    /// Requires that two of the path tracer's means agree within their noise.
+    void expect_within_noise(const std::string& relation, const TracedMean& a, const TracedMean& b) const;
+};
+
+}  // namespace sl
