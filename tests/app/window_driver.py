@@ -47,7 +47,7 @@ class Game:
     """A running game; `part` of a screenshot is WIDTHxHEIGHT+LEFT+TOP."""
 
     def __init__(self, screen, program, folder, scene, *flags):
-        self.env, self.folder, self.scene, self.shots = screen.env, folder, scene, 0
+        self.env, self.program, self.folder, self.scene, self.shots = screen.env, program, folder, scene, 0
         shutil.rmtree(self.folder, ignore_errors=True)
         self.folder.mkdir(parents=True)
         self.log_path = self.folder / "log.txt"
@@ -66,6 +66,12 @@ class Game:
         if done.returncode != 0:
             raise AssertionError(f"xdotool {' '.join(words)}: {done.stderr.strip()}")
         return done.stdout
+
+    def toggle_gi(self):
+        """O, and waits until the log tells of it."""
+        before = self.log().count("GI: ")
+        self.xdotool("key", "o")
+        self.wait("O switches indirect light", lambda: self.log().count("GI: ") > before)
 
     def next_method(self, times=1):
         """G; the next one only when the log tells of the last, for two taps within one frame are one."""
@@ -94,6 +100,13 @@ class Game:
         done = run("import", "-silent", "-window", "root", path, env=self.env)
         if done.returncode != 0:
             raise AssertionError(f"import: {done.stderr.strip()}")
+        return path
+
+    def capture(self, *flags):
+        """The scene as it is at its start, drawn without a window."""
+        path = str(self.folder / "captured.png")
+        done = run(self.program, "capture", "--scene", self.scene, "-o", path, *flags, env=self.env)
+        check(done.returncode == 0, f"capture draws '{self.scene}' ({done.stderr.strip()[-300:]})")
         return path
 
     def shot_when(self, name, sentence, condition):

@@ -42,16 +42,19 @@ class LibraryTest : public GlTest {
         texture.upload(mip, layer, std::as_bytes(std::span(pixels)));
     }
 
-    /// `declarations` stand before main; `body` runs for each i below `count` and computes a vec4 `result`.
-    std::vector<vec4> compute(const std::string& declarations, const std::string& body, std::size_t count) {
-        write("test.comp", declarations + "\nlayout(local_size_x = 64) in;\nlayout(std430) writeonly buffer Results { vec4 results[]; };\n"
-                           "void main() {\n    uint i = gl_GlobalInvocationID.x;\n    if (i >= uint(results.length())) { return; }\n"
+    /// `declarations` stand before main; `body` runs for each i below `count` and computes a vec4 `result`. With `across`, work
+    /// groups lie in rows of that many, and i counts them by lib/linear_index.glsl.
+    std::vector<vec4> compute(const std::string& declarations, const std::string& body, std::size_t count, std::uint32_t across = 0) {
+        const std::string index = across > 0 ? "linear_index()" : "gl_GlobalInvocationID.x";
+        const std::string include = across > 0 ? "#include \"lib/linear_index.glsl\"\n" : "";
+        write("test.comp", declarations + "\nlayout(local_size_x = 64) in;\n" + include + "layout(std430) writeonly buffer Results { vec4 results[]; };\n"
+                           "void main() {\n    uint i = " + index + ";\n    if (i >= uint(results.length())) { return; }\n"
                            "    vec4 result = vec4(0);\n" + body + "\n    results[i] = result;\n}\n");
-        buffers_["Results"] = gl::Buffer();
-        buffers_["Results"].reserve(count * sizeof(vec4));
+        give("Results", std::vector<vec4>(count, vec4(-1)));  // what nobody computes shows
         gl::ProgramCache cache(folder_);
         bind(cache.get({.compute = "test.comp"}), count * sizeof(vec4));
-        glDispatchCompute(static_cast<GLuint>((count + 63) / 64), 1, 1);
+        const auto groups = static_cast<GLuint>((count + 63) / 64);
+        glDispatchCompute(across > 0 ? across : groups, across > 0 ? (groups + across - 1) / across : 1, 1);
         glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
         const std::vector<std::byte> bytes = buffers_["Results"].read(count * sizeof(vec4));
         std::vector<vec4> results(count);

@@ -57,5 +57,11 @@ TEST_F(VertexLibrary, PositionsAndNormalsFollowTheirDraw) {
     }
 }
 
+TEST_F(VertexLibrary, NormalOfWhatHasNoExtentIsZero) {
+    const mat4 nothing = glm::scale(mat4(1.0f), vec3(0));
+    give("Draws", std::vector<DrawParams>{{.world_from_local = nothing, .normal_from_local = normal_matrix(nothing), .first_material = {}}});
+    EXPECT_EQ(vec3(vertex_value("normal_in_world()", vec3(1), vec3(0, 1, 0), 0)), vec3(0)) << "not a number would spread";
+}
+
 }  // namespace
 }  // namespace sl
