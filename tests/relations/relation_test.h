@@ -25,7 +25,9 @@ struct TracedMean {
     glm::dvec3 mean{0.0}, error{0.0};
 };
 
-/// Relations between pictures of one random scene, for one method.
+/// Relations between pictures of one random scene, for one method. The path tracer's single pictures are drawn without
+/// paths from the lights: where those go depends on the whole scene, and so does each picture's noise. Its means (`trace`)
+/// are drawn with them.
 class Relations : public GlTest, public testing::WithParamInterface<LightMethod> {
   public:
     static constexpr uvec2 size{16, 12};

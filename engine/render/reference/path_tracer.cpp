@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "engine/render/reference/path_tracer.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 
 #include "engine/core/check.h"
@@ -18,6 +20,12 @@ constexpr int certain_reflections = 3;
 /// Albedo 1 in a closed room would go on for ever.
 constexpr float most_likely_survival = 0.995f;
 
+/// The pilot run that looks for lit points: pixels at most, and paths of all of them.
+constexpr std::uint32_t most_pilot_pixels = 6000, pilot_paths = 50000, most_pilot_samples = 32;
+/// How often it is repeated with what it found before.
+constexpr std::uint32_t pilot_runs = 3;
+
+float largest(vec3 v) { return std::max({v.x, v.y, v.z}); }
 float luminance(vec3 colour) { return glm::dot(colour, vec3(0.2126f, 0.7152f, 0.0722f)); }
 
 /// A surface point as a path's vertex: its reflectance in the chosen model, seen from where the path came.
@@ -43,20 +51,38 @@ struct Arriving {
     vec3 irradiance{0.0f};  ///< lux
 };
 
+/// How a scattered ray came to a vertex.
+struct Arrival {
+    vec3 from;
+    float density;  ///< per sr, of its direction
+};
+
+/// Light of one directional, spot or point light.
+struct Lit {
+    vec3 radiance{0.0f};  ///< reflected towards the eye, nit
+    std::uint32_t light = 0;
+};
+
 class Walk {
   public:
-    Walk(const World& world, SampleSequence samples, PathSample& out, std::vector<TracedRay>* recorded)
-        : world_(world), samples_(samples), out_(out), recorded_(recorded) {}
+    /// `lit` takes the lit points that scattered rays find, with what they bring to the first surface.
+    Walk(const World& world, SampleSequence samples, PathSample& out, std::vector<TracedRay>* recorded, std::vector<LitPoint>* lit)
+        : world_(world), samples_(samples), out_(out), recorded_(recorded), lit_(lit) {}
 
     /// The whole path behind a first surface.
     void from(const SurfacePoint& point, vec3 to_eye) {
         // The cosine lobe gets half at least: the first surface's irradiance is measured whatever it is made of.
         const PathVertex vertex(point, to_eye, false, 0.5f);
         out_.surface = true;
-        out_.direct = point.emission + lit_by_lights(vertex, false);
+        out_.direct = point.emission + lit_by_lights(vertex, nullptr).radiance;
         const Arriving glow = lit_by_emitters(vertex);
         out_.direct += glow.reflected;
         out_.irradiance_emission += glow.irradiance;
+        if (world_.settings.bounces != 0) {
+            const Arriving arriving = lit_by_light_paths(vertex, nullptr);
+            out_.irradiance_lights += arriving.irradiance;
+            out_.indirect += world_.settings.occlusion ? arriving.reflected : arriving.irradiance * diffuse_albedo(point.surface) / pi;
+        }
         if (!world_.settings.occlusion) return through_everything(vertex);
         const bool only_lights = world_.emitters.empty() && world_.sky == vec3(0.0f);
         if (world_.settings.bounces == 0 && only_lights) return;
@@ -75,36 +101,91 @@ class Walk {
         return world_.scene.occluded(ray);
     }
 
-    /// Radiance reflected towards the eye of light from all directional, spot and point lights.
-    vec3 lit_by_lights(const PathVertex& vertex, bool bouncing_only) {
-        const vec2 xi = samples_.pair();
+    /// A vertex that light is reflected at on its way to another one.
+    PathVertex reflecting(const SurfacePoint& point, vec3 to_eye) const {
+        const bool diffuse = !world_.settings.occlusion || world_.settings.reflection == Reflection::diffuse;
+        return PathVertex(point, to_eye, diffuse, 0.0f);
+    }
+
+    /// What each light would contribute unblocked, into `weights_`; the sum of their luminances.
+    float weigh_lights(const PathVertex& vertex) {
         weights_.clear();
         float total = 0.0f;
         for (std::size_t i = 0; i < world_.lights.size(); ++i) {
-            const bool counts = !bouncing_only || world_.bounces[i] != 0;
+            const bool counts = world_.settings.occlusion || world_.bounces[i] != 0;
             const Incident incident = incident_light(world_.lights[i], vertex.point.position);
             const vec3 light = counts ? vec3(incident.irradiance) * vertex.reflects(vec3(incident.to_light)) : vec3(0.0f);
-            weights_.push_back({light, vec3(incident.to_light), incident.to_light.w});
+            weights_.push_back({light, vec3(incident.to_light)});
             total += luminance(light);
         }
-        if (!(total > 0.0f)) return vec3(0.0f);
+        return total;
+    }
+
+    /// Light from one of all directional, spot and point lights in place of their sum. After an arrival, the part of it
+    /// that is left to scattered rays.
+    Lit lit_by_lights(const PathVertex& vertex, const Arrival* arrival) {
+        const vec2 xi = samples_.pair();
+        const float total = weigh_lights(vertex);
+        if (!(total > 0.0f)) return {};
         float left = xi.x * total;
-        std::size_t chosen = 0;
+        std::uint32_t chosen = 0;
         for (; chosen + 1 < weights_.size(); ++chosen) {
             left -= luminance(weights_[chosen].light);
             if (left < 0.0f) break;
         }
         const Candidate& candidate = weights_[chosen];
-        const float share = luminance(candidate.light);
-        if (share <= 0.0f) return vec3(0.0f);
+        const float share = luminance(candidate.light) / total;
+        if (share <= 0.0f) return {};
         if (world_.casts[chosen] != 0) {
             const bool endless = world_.lights[chosen].kind.x == light_directional;
             const vec3 origin = vertex.point.origin_towards(candidate.to_light);
             // To the light itself, not along the direction that the surface had: in a corner the two differ.
             const vec3 direction = endless ? candidate.to_light : vec3(world_.lights[chosen].position) - origin;
-            if (occluded({.origin = origin, .direction = direction, .farthest = endless ? std::numeric_limits<float>::infinity() : 1.0f})) return vec3(0.0f);
+            if (occluded({.origin = origin, .direction = direction, .farthest = endless ? std::numeric_limits<float>::infinity() : 1.0f})) return {};
         }
-        return candidate.light * (total / share);
+        float weight = 1.0f / share;
+        if (arrival != nullptr && !world_.light_paths.empty()) {
+            const vec3 offset = vertex.point.position - arrival->from;
+            const float here = arrival->density * share, there = density_of_light_path(chosen, vertex.point, offset);
+            weight *= here * here / (here * here + there * there);
+        }
+        return {candidate.light * weight, chosen};
+    }
+
+    /// Density per sr, seen from `offset` before the point, with which rays from a light meet it.
+    float density_of_light_path(std::uint32_t light, const SurfacePoint& point, vec3 offset) const {
+        const float distance_squared = glm::dot(offset, offset);
+        const float cos_surface = std::abs(glm::dot(offset, point.face)) / std::sqrt(distance_squared);
+        return world_.light_paths.density(light, point) * distance_squared / cos_surface;
+    }
+
+    /// Light of one reflection at a point that a ray from a light meets: the part that is not left to scattered rays.
+    /// `to_first`: irradiance at the first surface for radiance of this vertex; null where this is the first.
+    Arriving lit_by_light_paths(const PathVertex& vertex, const vec3* to_first) {
+        if (world_.light_paths.empty()) return {};
+        const LightPaths::Drawn drawn = world_.light_paths.sample(samples_.pair());
+        const auto hit = intersect(drawn.ray);
+        if (!hit || !hit->front) return {};
+        const SurfacePoint point = world_.scene.surface_at(*hit);
+        const vec3 offset = point.position - vertex.point.position;
+        const vec3 direction = glm::normalize(offset);
+        const float cos_surface = glm::dot(direction, vertex.point.normal());
+        if (!(cos_surface > 0.0f) || !(glm::dot(direction, point.face) < 0.0f)) return {};
+        const float total = weigh_lights(reflecting(point, -direction));
+
+        const vec3 light = weights_[drawn.light].light;
+        if (!(luminance(light) > 0.0f)) return {};
+        const float there = density_of_light_path(drawn.light, point, offset);
+        const float here = vertex.lobes.density(direction) * luminance(light) / total;
+        const float weight = there / (there * there + here * here);
+        if (!(weight > 0.0f)) return {};
+        if (world_.settings.occlusion) {
+            const vec3 origin = vertex.point.origin_towards(direction);
+            if (occluded({.origin = origin, .direction = point.origin_towards(-direction) - origin, .farthest = 1.0f})) return {};
+        }
+        const Arriving result{.reflected = vertex.reflects(direction) * light * weight, .irradiance = light * (cos_surface * weight)};
+        found(drawn.light, point, to_first != nullptr ? *to_first * result.reflected : result.irradiance);
+        return result;
     }
 
     Arriving lit_by_emitters(const PathVertex& vertex) {
@@ -154,15 +235,21 @@ class Walk {
             const int bounces = world_.settings.bounces;
             if (bounces != TransportSettings::until_converged && reflections >= bounces) return;
 
-            const PathVertex vertex(point, -ray.direction, world_.settings.reflection == Reflection::diffuse, 0.0f);
-            add(out_.irradiance_lights, out_.indirect, carried * lit_by_lights(vertex, false));
+            const PathVertex vertex = reflecting(point, -ray.direction);
+            const Arrival arrival{ray.origin, density};
+            const Lit lit = lit_by_lights(vertex, &arrival);
+            add(out_.irradiance_lights, out_.indirect, carried * lit.radiance);
+            const vec3 to_first = carried * to_irradiance;
+            found(lit.light, point, to_first * lit.radiance);
             add(out_.irradiance_emission, out_.indirect, carried * lit_by_emitters(vertex).reflected);
+            const bool another = bounces == TransportSettings::until_converged || reflections + 1 < bounces;
+            if (another) add(out_.irradiance_lights, out_.indirect, carried * lit_by_light_paths(vertex, &to_first).reflected);
 
             direction = vertex.lobes.sample(samples_.pair());
             density = vertex.lobes.density(direction);
             if (!(density > 0.0f)) return;
             carried *= vertex.reflects(direction) / density;
-            const float strongest = std::max({carried.x, carried.y, carried.z});
+            const float strongest = largest(carried);
             if (!(strongest > 0.0f)) return;
             if (reflections >= certain_reflections) {
                 const float survival = std::min(strongest, most_likely_survival);
@@ -184,7 +271,10 @@ class Walk {
         while (const auto hit = intersect(ray)) {
             const SurfacePoint point = world_.scene.surface_at(*hit);
             if (hit->front) {
-                const vec3 light = lit_by_lights(PathVertex(point, -direction, true, 1.0f), true) * (cos_surface / density);
+                const Arrival arrival{first.point.position, density};
+                const Lit lit = lit_by_lights(reflecting(point, -direction), &arrival);
+                const vec3 light = lit.radiance * (cos_surface / density);
+                found(lit.light, point, light);
                 out_.irradiance_lights += light;
                 out_.indirect += light * albedo / pi;
             }
@@ -192,14 +282,20 @@ class Walk {
         }
     }
 
+    void found(std::uint32_t light, const SurfacePoint& point, vec3 at_first) {
+        // What nothing stands in the way of is not met first by the light's rays.
+        if (lit_ == nullptr || at_first == vec3(0.0f) || world_.casts[light] == 0) return;
+        lit_->push_back({light, point.position, largest(at_first)});
+    }
+
     struct Candidate {
         vec3 light, to_light;
-        float distance;
     };
     const World& world_;
     SampleSequence samples_;
     PathSample& out_;
     std::vector<TracedRay>* recorded_;
+    std::vector<LitPoint>* lit_;
     static thread_local std::vector<Candidate> weights_;
 };
 
@@ -221,6 +317,39 @@ PathTracer::PathTracer(const RenderScene& scene, uvec2 size, const TransportSett
         world_.casts.push_back(light.casts_shadow || light.kind == RenderScene::Light::Kind::point);
         world_.bounces.push_back(light.bounces);
     }
+    if (!settings.light_paths || settings.bounces == 0) return;
+    const Bounds bounds = world_.scene.bounds();
+    for (std::uint32_t run = 0; run < pilot_runs; ++run) world_.light_paths = LightPaths(world_.lights, bounds, find_lit_points(run));
+}
+
+std::vector<LitPoint> PathTracer::find_lit_points(std::uint32_t run) const {
+    // Depends on the whole picture alone, so that all parts of one that are traced apart draw from the same density.
+    const uvec2 size(frame_.ray_right.w, frame_.ray_up.w);
+    const auto step = static_cast<std::uint32_t>(std::ceil(std::sqrt(double(size.x) * size.y / most_pilot_pixels)));
+    const uvec2 count = (size + step - 1u) / step;
+    const std::uint32_t samples = std::clamp(pilot_paths / (count.x * count.y), 1u, most_pilot_samples);
+    std::vector<std::vector<LitPoint>> per_pixel(std::size_t{count.x} * count.y);
+    tbb::parallel_for(std::size_t{0}, per_pixel.size(), [&](std::size_t i) {
+        const uvec2 pixel(i % count.x * step, i / count.x * step);
+        for (std::uint32_t number = run * samples; number < (run + 1) * samples; ++number) trace(pixel, number, nullptr, &per_pixel[i]);
+    });
+    // Errors are judged beside a pixel's own light, but for the darkest ones: each pixel's points count about the same.
+    const auto sum = [](const std::vector<LitPoint>& points) {
+        float total = 0.0f;
+        for (const LitPoint& point : points) total += point.weight;
+        return total;
+    };
+    float mean = 0.0f;
+    for (const auto& points : per_pixel) mean += sum(points) / static_cast<float>(per_pixel.size());
+    std::vector<LitPoint> result;
+    for (auto& points : per_pixel) {
+        const float scale = 1.0f / (sum(points) + mean);
+        for (LitPoint& point : points) {
+            point.weight *= scale;
+            result.push_back(point);
+        }
+    }
+    return result;
 }
 
 std::uint64_t PathTracer::content_hash() const {
@@ -236,13 +365,13 @@ Ray PathTracer::camera_ray(uvec2 pixel, vec2 within) const {
     return {.origin = vec3(frame_.camera_position), .direction = view_ray(frame_, vec2(2.0f * at.x - 1.0f, 1.0f - 2.0f * at.y)), .nearest = frame_.camera_position.w};
 }
 
-PathSample PathTracer::sample(uvec2 pixel, std::uint32_t number) const { return trace(pixel, number, nullptr); }
+PathSample PathTracer::sample(uvec2 pixel, std::uint32_t number) const { return trace(pixel, number, nullptr, nullptr); }
 
 PathSample PathTracer::sample_recorded(uvec2 pixel, std::uint32_t number, std::vector<TracedRay>& rays) const {
-    return trace(pixel, number, &rays);
+    return trace(pixel, number, &rays, nullptr);
 }
 
-PathSample PathTracer::trace(uvec2 pixel, std::uint32_t number, std::vector<TracedRay>* recorded) const {
+PathSample PathTracer::trace(uvec2 pixel, std::uint32_t number, std::vector<TracedRay>* recorded, std::vector<LitPoint>* lit) const {
     PathSample out;
     SampleSequence samples(world_.settings.seed * 2u + (number & 1u), pixel, number >> 1);
     const vec2 within = samples.pair();
@@ -254,7 +383,7 @@ PathSample PathTracer::trace(uvec2 pixel, std::uint32_t number, std::vector<Trac
         out.direct = world_.sky;
         return out;
     }
-    Walk(world_, samples, out, recorded).from(world_.scene.surface_at(*hit), -glm::normalize(ray.direction));
+    Walk(world_, samples, out, recorded, lit).from(world_.scene.surface_at(*hit), -glm::normalize(ray.direction));
     return out;
 }
 

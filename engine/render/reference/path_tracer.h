@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/render/reference/emitters.h"
+#include "engine/render/reference/light_paths.h"
 #include "engine/render/reference/samples.h"
 #include "shared/frame.h"
 #include "shared/lights.h"
@@ -23,6 +24,7 @@ struct TransportSettings {
     bool occlusion = true;
     Reflection reflection = Reflection::full;
     bool pixel_area = true;  ///< false: all samples of a pixel pass through its centre, as a rasterizer's do
+    bool light_paths = true; ///< also look for lit points from the lights' side: less noise, the same mean
     std::uint32_t seed = 1;
 
     bool operator==(const TransportSettings&) const = default;
@@ -55,10 +57,11 @@ struct FirstSurface {
     float depth = 0.0f;  ///< reversed like the rasterizer's: near / distance along the view axis; 0 is the background
 };
 
-/// Unidirectional path tracing with next-event estimation (Kajiya 1986; Veach 1997): at each vertex one shadow ray to a
-/// punctual light drawn by what it would contribute unblocked, and one to a glowing triangle, combined with hitting it by
-/// the power heuristic; a uniform sky is met by scattered rays alone, whose density already is its cosine. Unbiased but
-/// for rounding. All queries may run on any number of threads.
+/// Path tracing with next-event estimation (Kajiya 1986; Veach 1997): at each vertex one shadow ray to a punctual light
+/// drawn by what it would contribute unblocked, and one to a glowing triangle, combined with hitting it by the power
+/// heuristic; a uniform sky is met by scattered rays alone, whose density already is its cosine. Points that punctual
+/// lights shine on are found twice, by scattered rays and by rays from the lights (LightPaths), combined in the same way.
+/// Unbiased but for rounding. All queries may run on any number of threads.
 class PathTracer {
   public:
     /// The scene's view must be there; width and height in pixels. Throws Error when the ray tracer does not start.
@@ -84,11 +87,13 @@ class PathTracer {
         std::vector<char> bounces;  ///< per light: it has a reflective shadow map
         vec3 sky;                   ///< nit
         TransportSettings settings;
+        LightPaths light_paths{};  ///< empty while they are looked for
     };
 
   private:
     Ray camera_ray(uvec2 pixel, vec2 within) const;
-    PathSample trace(uvec2 pixel, std::uint32_t number, std::vector<TracedRay>* recorded) const;
+    PathSample trace(uvec2 pixel, std::uint32_t number, std::vector<TracedRay>* recorded, std::vector<LitPoint>* lit) const;
+    std::vector<LitPoint> find_lit_points(std::uint32_t run) const;
 
     World world_;
     FrameParams frame_;

@@ -217,6 +217,14 @@ std::uint64_t TraceScene::content_hash() const {
     return hash;
 }
 
+Bounds TraceScene::bounds() const {
+    Bounds result;
+    for (const TracedMesh& mesh : data_->meshes) {
+        for (const vec3& position : mesh.positions) result.add(position);
+    }
+    return result;
+}
+
 std::uint64_t TraceScene::triangles() const {
     std::uint64_t count = 0;
     for (const TracedMesh& mesh : data_->meshes) count += mesh.triangles.size();

@@ -67,6 +67,7 @@ class TraceScene {
     std::uint32_t draw_count() const;
     std::uint32_t triangle_count(std::uint32_t draw) const;
     std::uint64_t triangles() const;
+    Bounds bounds() const;
     /// Of everything that is traced: geometry, materials, textures.
     std::uint64_t content_hash() const;
 

@@ -15,7 +15,10 @@ using Light = RenderScene::Light;
 
 constexpr float illuminance = 1000.0f;
 
-Light sun(vec3 direction) { return {.kind = Light::Kind::directional, .direction = glm::normalize(direction), .intensity = vec3(illuminance), .bounces = true}; }
+/// Only where it casts shadows do paths from the light take part.
+Light sun(vec3 direction, bool casts_shadow = false) {
+    return {.kind = Light::Kind::directional, .direction = glm::normalize(direction), .intensity = vec3(illuminance), .casts_shadow = casts_shadow, .bounces = true};
+}
 
 const mat4 facing_down = glm::rotate(mat4(1.0f), glm::pi<float>(), vec3(1, 0, 0));
 const mat4 facing_front = glm::rotate(mat4(1.0f), glm::half_pi<float>(), vec3(1, 0, 0));
@@ -96,6 +99,28 @@ TEST(PathTracer, PerpendicularWallDownToTheCornerAtAnyScale) {
     }
 }
 
+TEST(PathTracer, PathsFromTheLightKeepTheMeanInACorner) {
+    // They add noise here, where scattered rays alone meet the wall half the time: so the mean of all pixels is compared.
+    SceneBuilder builder;
+    builder.add({Shape::Kind::quad, vec3(1)}, at(vec3(0, 0.5f, 0), facing_front), vec3(0.5f));
+    builder.add({Shape::Kind::quad, vec3(1, 0, 2)}, mat4(1.0f), vec3(0.0f));
+    builder.add(sun(vec3(0, 0, -1), true));
+    builder.look(vec3(0, 0.4f, 0.3f), vec3(0, -1, 0), vec3(0, 0, -1), 0.9f);
+    for (const bool occlusion : {false, true}) {
+        const Film film = trace_film(builder.scene(), {8, 8}, {.bounces = 1, .occlusion = occlusion, .pixel_area = false}, 8192);
+        const auto layers = film.layers();
+        double truth = 0.0;
+        for (std::uint32_t y = 0; y < 8; ++y) {
+            for (std::uint32_t x = 0; x < 8; ++x) {
+                const float* p = layer(layers, "position").image.pixel(x, y);
+                ASSERT_EQ(p[1], 0.0f);
+                truth += 500.0 / 64.0 * closed_form::perpendicular(-0.5 - p[0], 0.5 - p[0], 1.0, p[2]);
+            }
+        }
+        EXPECT_NEAR(mean_of(film, "irradiance"), truth, 0.002 * truth) << "occlusion " << occlusion;
+    }
+}
+
 TEST(PathTracer, WithoutOcclusionEverySurfaceBehindEachOtherCounts) {
     // Two plates of one size over each other, both lit from below: the receiver gets the sum of both form factors.
     SceneBuilder builder;
@@ -118,7 +143,7 @@ TEST(PathTracer, ClosedSphereWithALightInside) {
     builder.add({.kind = Light::Kind::point, .position = vec3(0.4f, -0.7f, 0.9f), .intensity = vec3(candela)});
     builder.look(vec3(0.3f, 0.2f, 0.1f), vec3(1, 0.2f, 0.4f), vec3(0, 1, 0), 1.2f);
     const double direct = 4.0 * M_PI * candela / (4.0 * M_PI * radius * radius);
-    const Film first = trace_film(builder.scene(), {8, 8}, {.bounces = 1}, 2048);
+    const Film first = trace_film(builder.scene(), {8, 8}, {.bounces = 1}, 4096);
     EXPECT_NEAR(mean_of(first, "irradiance"), albedo * direct, 0.002 * albedo * direct);
     const Film all = trace_film(builder.scene(), {8, 8}, {}, 8192);
     const double every = albedo / (1.0 - albedo) * direct;
