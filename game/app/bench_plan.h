@@ -21,7 +21,7 @@ struct BenchCandidate {
 
 /// What `secondlight bench gi` runs.
 struct BenchPlan {
-    uvec2 size{640, 360};
+    uvec2 size{320, 180};
     std::vector<std::string> scenes;
     std::vector<BenchCandidate> candidates;
     std::uint32_t rounds = 7;

@@ -58,6 +58,7 @@ void print(const ImagePair& pair, const Comparison& result, const CompareFlags& 
     row("pixels", ignored);
     row("relMSE", fmt::format("{:.4g}", result.errors.rel_mse));
     row("NRMSE", percent(result.errors.nrmse));
+    if (pair.reference_noise) row("", fmt::format("of which the reference's own noise is {}", percent(*pair.reference_noise)));
     row("p95", percent(result.errors.p95));
     row("bias", fmt::format("{:+.4g} %", 100.0 * result.errors.bias));
     std::string view = fmt::format("{:g} pixels per degree", flags.pixels_per_degree);
@@ -74,6 +75,7 @@ void write_figures(const ImagePair& pair, const Comparison& result, const Compar
                         {"p95", result.errors.p95},        {"bias", result.errors.bias},
                         {"flip", result.flip.mean},        {"pixels_per_degree", flags.pixels_per_degree}};
     if (!pair.decoded) json["ev100"] = result.ev100;
+    if (pair.reference_noise) json["reference_noise"] = *pair.reference_noise;
     write_text_file(flags.json, json.dump(2) + "\n");
 }
 

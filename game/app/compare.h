@@ -30,6 +30,7 @@ struct ImagePair {
     std::string layer;                       ///< of the image; empty for a picture or the unnamed layer
     std::vector<float> mask;                 ///< empty: all count
     std::size_t background_differs = 0;      ///< pixels that are background in one of the two files only
+    std::optional<double> reference_noise;   ///< of a path-traced reference itself, as NRMSE; none: the file does not tell
     bool decoded = false;                    ///< from sRGB pictures: display-referred, needs no exposure
 };
 

@@ -3,6 +3,7 @@
 
 #include "engine/core/error.h"
 #include "engine/measure/flip_colour.h"
+#include "engine/render/reference/film.h"
 #include "game/app/compare.h"
 
 namespace sl {
@@ -93,6 +94,10 @@ void load_layers(ImagePair& pair, const CompareFlags& flags) {
     pair.reference = three_channels(pair.reference_name, layer_of(flags.reference, reference_layers, reference_layer));
     check_same_size(pair);
     if (!flags.no_mask) mask_background(pair, find_layer(layers, "depth"), find_layer(reference_layers, "depth"));
+    const Image* half = reference_layer == "irradiance" ? find_layer(reference_layers, "irradiance_half") : nullptr;
+    if (half != nullptr && half->data.size() == pair.reference.data.size()) {
+        pair.reference_noise = noise_of_halves(pair.reference, *half, pair.mask);
+    }
 }
 
 void load_pictures(ImagePair& pair, const CompareFlags& flags) {

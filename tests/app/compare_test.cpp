@@ -81,6 +81,14 @@ TEST_F(Compare, BackgroundIsLeftOutWhereTheReferencesDepthIsZero) {
     EXPECT_GT(compare(load_pair(flags), flags).errors.nrmse, 1.0);
 }
 
+TEST_F(Compare, TellsTheReferencesOwnNoise) {
+    // Halves of 0.9 and 1.1 around a mean of 1: the mean is known to a tenth.
+    write({{"irradiance", filled(4, 3, 3, 1)}}, {{"irradiance", filled(4, 3, 3, 1)}, {"irradiance_half", filled(4, 3, 3, 1.1f)}});
+    EXPECT_NEAR(load_pair(flags).reference_noise.value(), 0.1, 1e-6);
+    write({{"irradiance", filled(4, 3, 3, 1)}}, {{"irradiance", filled(4, 3, 3, 1)}});
+    EXPECT_FALSE(load_pair(flags).reference_noise.has_value());
+}
+
 TEST_F(Compare, ExposesSoThatTheReferencesMeanIsMidGrey) {
     write({{"", filled(4, 4, 3, 0)}}, {{"", filled(4, 4, 3, 500)}});
     // 500 / (1.2 · 2^EV) = 0.18.
