@@ -26,6 +26,7 @@ Renderer::Result Renderer::render(const RenderScene& scene, const Request& reque
                            .scene = scene,
                            .lights = lights,
                            .inputs = inputs,
+                           .facets = facets_,
                            .params = frame_params(scene, request.width, request.height, request.frame_index),
                            .width = request.width,
                            .height = request.height,

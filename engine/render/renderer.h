@@ -4,6 +4,7 @@
 #include "engine/core/image.h"
 #include "engine/render/execute.h"
 #include "engine/render/frame.h"
+#include "engine/render/gi/facet_light.h"
 
 namespace sl {
 
@@ -35,7 +36,10 @@ class Renderer {
     Result render(const RenderScene& scene, const Request& request);
 
     /// Forgets what persistent images hold: the next frame draws everything anew.
-    void forget() { states_.clear(); }
+    void forget() {
+        states_.clear();
+        facets_ = {};
+    }
 
     /// One layer of an image of the last frame as an Image, top row first.
     Image read(ImageId image, std::uint32_t layer = 0) const;
@@ -56,6 +60,7 @@ class Renderer {
     FrameOutput images_;
     Executor executor_;
     GpuScene gpu_scene_;
+    FacetLight facets_;
 };
 
 /// Names of all images that a graph makes, for messages and lists.

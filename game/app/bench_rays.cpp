@@ -9,7 +9,7 @@
 #include "engine/core/error.h"
 #include "engine/core/text_file.h"
 #include "engine/measure/spread.h"
-#include "engine/render/reference/path_tracer.h"
+#include "engine/render/trace/path_tracer.h"
 #include "engine/render/scene/extract.h"
 #include "game/app/commands.h"
 

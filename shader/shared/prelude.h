@@ -12,10 +12,14 @@ SHARED_BEGIN
 using uint = std::uint32_t;
 using glm::abs;
 using glm::atan;
+using glm::ceil;
 using glm::clamp;
 using glm::cross;
 using glm::dot;
+using glm::exp2;
+using glm::floor;
 using glm::length;
+using glm::log2;
 using glm::mat4;
 using glm::max;
 using glm::min;

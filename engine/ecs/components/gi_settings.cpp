@@ -35,6 +35,13 @@ constexpr FieldInfo strength_info{.min = 0, .max = 10, .help = "Factor on indire
 
 void visit_fields(FieldVisitor&, GiOff&) {}
 
+void visit_fields(FieldVisitor& visit, Facets& facets) {
+    visit.field("spacing", facets.spacing, {.min = 1, .max = 64, .unit = "pixels", .help = "Width of a facet on the screen; less resolves finer light and costs with its square."});
+    visit.field("noise", facets.noise, {.min = 0.005f, .max = 1, .help = "Standard error at a corner, over its irradiance, at which tracing ends; half of it costs four times as much."});
+    visit.field("bounces", facets.bounces, {.min = 0, .max = 64, .help = "Reflections of light before it arrives; 64 is all that can be seen."});
+    visit.field("strength", facets.strength, strength_info);
+}
+
 void visit_fields(FieldVisitor& visit, RsmExact& exact) {
     visit.field("rsm_size", exact.rsm_size, rsm_size_info);
     visit.field("strength", exact.strength, strength_info);

@@ -50,8 +50,18 @@ struct RsmDisc {
     float strength = 1.0f;
 };
 
+/// Irradiance path traced at the corners of facets on the visible surfaces, kept in world space.
+struct Facets {
+    static constexpr std::string_view name = "facets";
+    static constexpr std::string_view claims = "all bounces of all lights, sky and glowing surfaces, with occlusion";
+    float spacing = 8.0f;
+    float noise = 0.1f;
+    std::uint32_t bounces = 64;
+    float strength = 1.0f;
+};
+
 /// Adding a method: its settings struct above, one word here, gi/<name>.cpp and its shader.
-using GiMethod = std::variant<GiOff, RsmExact, RsmGrid, RsmDisc>;
+using GiMethod = std::variant<GiOff, RsmExact, RsmGrid, RsmDisc, Facets>;
 
 /// How the camera's picture gets its indirect light. Without this component there is none.
 struct GiSettings {

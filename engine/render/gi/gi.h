@@ -18,5 +18,6 @@ GiResult indirect_light(const FrameInput& frame, const GBuffer& gbuffer, const G
 GiResult indirect_light(const FrameInput& frame, const GBuffer& gbuffer, const RsmExact& settings);
 GiResult indirect_light(const FrameInput& frame, const GBuffer& gbuffer, const RsmGrid& settings);
 GiResult indirect_light(const FrameInput& frame, const GBuffer& gbuffer, const RsmDisc& settings);
+GiResult indirect_light(const FrameInput& frame, const GBuffer& gbuffer, const Facets& settings);
 
 }  // namespace sl

@@ -2,10 +2,12 @@
 #pragma once
 
 #include "engine/render/graph/frame_graph.h"
-#include "engine/render/scene/upload.h"
-#include "shared/frame.h"
+#include "engine/render/scene/frame_params.h"
+#include "engine/render/upload.h"
 
 namespace sl {
+
+struct FacetLight;
 
 /// What every pass of a frame may draw on.
 struct FrameInput {
@@ -13,6 +15,7 @@ struct FrameInput {
     const RenderScene& scene;
     const LightTable& lights;
     const SceneInputs& inputs;
+    FacetLight& facets;  ///< what the method facets keeps between frames
     FrameParams params;
     std::uint32_t width = 1;
     std::uint32_t height = 1;
@@ -21,8 +24,5 @@ struct FrameInput {
 
     TextureDesc screen(Format format) const { return {.width = width, .height = height, .format = format}; }
 };
-
-/// Fills the block that all passes read. `view` must be there.
-FrameParams frame_params(const RenderScene& scene, std::uint32_t width, std::uint32_t height, std::uint32_t frame_index);
 
 }  // namespace sl

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/core/image.h"
-#include "engine/render/reference/path_tracer.h"
+#include "engine/render/trace/path_tracer.h"
 
 namespace sl {
 

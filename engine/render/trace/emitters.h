@@ -3,7 +3,7 @@
 
 #include <unordered_map>
 
-#include "engine/render/reference/trace_scene.h"
+#include "engine/render/trace/trace_scene.h"
 
 namespace sl {
 

@@ -4,9 +4,9 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "engine/render/reference/light_paths.h"
+#include "engine/render/trace/light_paths.h"
 #include "engine/render/reference/reference.h"
-#include "engine/render/reference/samples.h"
+#include "engine/render/trace/samples.h"
 #include "tests/support/scene_builder.h"
 
 namespace sl {

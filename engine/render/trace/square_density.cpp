@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "engine/render/reference/square_density.h"
+#include "engine/render/trace/square_density.h"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "engine/render/reference/directions.h"
+#include "engine/render/trace/directions.h"
 
 #include <gtest/gtest.h>
 
-#include "engine/render/reference/samples.h"
+#include "engine/render/trace/samples.h"
 
 namespace sl {
 namespace {

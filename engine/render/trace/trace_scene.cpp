@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "engine/render/reference/trace_scene.h"
+#include "engine/render/trace/trace_scene.h"
 
 #include <embree3/rtcore.h>
 

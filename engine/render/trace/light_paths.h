@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "engine/render/reference/square_density.h"
-#include "engine/render/reference/trace_scene.h"
+#include "engine/render/trace/square_density.h"
+#include "engine/render/trace/trace_scene.h"
 #include "shared/lights.h"
 
 namespace sl {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "engine/render/reference/emitters.h"
+#include "engine/render/trace/emitters.h"
 
 #include <algorithm>
 #include <cmath>

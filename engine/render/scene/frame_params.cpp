@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "engine/render/passes/frame_input.h"
+#include "engine/render/scene/frame_params.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "engine/render/scene/upload.h"
+#include "engine/render/upload.h"
 
 #include "engine/render/scene/rows.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "engine/render/reference/samples.h"
+#include "engine/render/trace/samples.h"
 
 #include <gtest/gtest.h>
 

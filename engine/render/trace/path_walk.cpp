@@ -1,29 +1,21 @@
 // SPDX-License-Identifier: MIT
-#include "engine/render/reference/path_tracer.h"
-
-#include <tbb/parallel_for.h>
+#include "engine/render/trace/path_walk.h"
 
 #include <algorithm>
 
-#include "engine/core/check.h"
-#include "engine/render/passes/frame_input.h"
-#include "engine/render/reference/directions.h"
+#include "engine/render/scene/light_map.h"
+#include "engine/render/trace/directions.h"
 
 namespace sl {
 
 namespace {
 
-using World = PathTracer::World;
+using World = TransportWorld;
 
 /// Reflections from which on a path may end by chance, in proportion to what it still carries.
 constexpr int certain_reflections = 3;
 /// Albedo 1 in a closed room would go on for ever.
 constexpr float most_likely_survival = 0.995f;
-
-/// The pilot run that looks for lit points: pixels at most, and paths of all of them.
-constexpr std::uint32_t most_pilot_pixels = 6000, pilot_paths = 50000, most_pilot_samples = 32;
-/// How often it is repeated with what it found before.
-constexpr std::uint32_t pilot_runs = 3;
 
 float largest(vec3 v) { return std::max({v.x, v.y, v.z}); }
 float luminance(vec3 colour) { return glm::dot(colour, vec3(0.2126f, 0.7152f, 0.0722f)); }
@@ -73,15 +65,22 @@ class Walk {
     void from(const SurfacePoint& point, vec3 to_eye) {
         // The cosine lobe gets half at least: the first surface's irradiance is measured whatever it is made of.
         const PathVertex vertex(point, to_eye, false, 0.5f);
-        out_.surface = true;
         out_.direct = point.emission + lit_by_lights(vertex, nullptr).radiance;
+        arrive(vertex);
+    }
+    /// Only what arrives at a point, whatever it is made of.
+    void at(const SurfacePoint& point) { arrive(PathVertex(point, point.normal(), true, 1.0f)); }
+
+  private:
+    void arrive(const PathVertex& vertex) {
+        out_.surface = true;
         const Arriving glow = lit_by_emitters(vertex);
         out_.direct += glow.reflected;
         out_.irradiance_emission += glow.irradiance;
         if (world_.settings.bounces != 0) {
             const Arriving arriving = lit_by_light_paths(vertex, nullptr);
             out_.irradiance_lights += arriving.irradiance;
-            out_.indirect += world_.settings.occlusion ? arriving.reflected : arriving.irradiance * diffuse_albedo(point.surface) / pi;
+            out_.indirect += world_.settings.occlusion ? arriving.reflected : arriving.irradiance * diffuse_albedo(vertex.point.surface) / pi;
         }
         if (!world_.settings.occlusion) return through_everything(vertex);
         const bool only_lights = world_.emitters.empty() && world_.sky == vec3(0.0f);
@@ -89,7 +88,6 @@ class Walk {
         scatter(vertex);
     }
 
-  private:
     std::optional<TriangleHit> intersect(const Ray& ray) {
         ++out_.rays;
         if (recorded_ != nullptr) recorded_->push_back({ray, false});
@@ -147,7 +145,7 @@ class Walk {
         if (arrival != nullptr && !world_.light_paths.empty()) {
             const vec3 offset = vertex.point.position - arrival->from;
             const float here = arrival->density * share, there = density_of_light_path(chosen, vertex.point, offset);
-            weight *= here * here / (here * here + there * there);
+            weight *= std::isfinite(there) ? here * here / (here * here + there * there) : 0.0f;
         }
         return {candidate.light * weight, chosen};
     }
@@ -156,7 +154,9 @@ class Walk {
     float density_of_light_path(std::uint32_t light, const SurfacePoint& point, vec3 offset) const {
         const float distance_squared = glm::dot(offset, offset);
         const float cos_surface = std::abs(glm::dot(offset, point.face)) / std::sqrt(distance_squared);
-        return world_.light_paths.density(light, point) * distance_squared / cos_surface;
+        const float density = world_.light_paths.density(light, point);
+        // Seen exactly from the side, the surface has no extent: what is met there is met through rounding alone.
+        return density > 0.0f ? density * distance_squared / cos_surface : 0.0f;
     }
 
     /// Light of one reflection at a point that a ray from a light meets: the part that is not left to scattered rays.
@@ -178,7 +178,7 @@ class Walk {
         const float there = density_of_light_path(drawn.light, point, offset);
         const float here = vertex.lobes.density(direction) * luminance(light) / total;
         const float weight = there / (there * there + here * here);
-        if (!(weight > 0.0f)) return {};
+        if (!(weight > 0.0f)) return {};  // also where `there` is infinite
         if (world_.settings.occlusion) {
             const vec3 origin = vertex.point.origin_towards(direction);
             if (occluded({.origin = origin, .direction = point.origin_towards(-direction) - origin, .farthest = 1.0f})) return {};
@@ -301,98 +301,23 @@ class Walk {
 
 thread_local std::vector<Walk::Candidate> Walk::weights_;
 
-FrameParams camera_params(const RenderScene& scene, uvec2 size) {
-    CHECK(scene.view, "a reference needs a camera");
-    return frame_params(scene, size.x, size.y, 0);
-}
-
 }  // namespace
 
-PathTracer::PathTracer(const RenderScene& scene, uvec2 size, const TransportSettings& settings)
-    : world_{.scene = TraceScene(scene), .emitters = Emitters(world_.scene), .lights = build_light_table(scene).params,
-             .casts = {}, .bounces = {}, .sky = scene.sky_radiance, .settings = settings},
-      frame_(camera_params(scene, size)) {
-    for (const RenderScene::Light& light : scene.lights) {
+TransportWorld::TransportWorld(const RenderScene& render_scene, const TransportSettings& transport)
+    : scene(render_scene), emitters(scene), lights(build_light_table(render_scene).params), sky(render_scene.sky_radiance), settings(transport) {
+    for (const RenderScene::Light& light : render_scene.lights) {
         // Point lights have no shadow setting: nothing shines through walls.
-        world_.casts.push_back(light.casts_shadow || light.kind == RenderScene::Light::Kind::point);
-        world_.bounces.push_back(light.bounces);
+        casts.push_back(light.casts_shadow || light.kind == RenderScene::Light::Kind::point);
+        bounces.push_back(light.bounces);
     }
-    if (!settings.light_paths || settings.bounces == 0) return;
-    const Bounds bounds = world_.scene.bounds();
-    for (std::uint32_t run = 0; run < pilot_runs; ++run) world_.light_paths = LightPaths(world_.lights, bounds, find_lit_points(run));
 }
 
-std::vector<LitPoint> PathTracer::find_lit_points(std::uint32_t run) const {
-    // Depends on the whole picture alone, so that all parts of one that are traced apart draw from the same density.
-    const uvec2 size(frame_.ray_right.w, frame_.ray_up.w);
-    const auto step = static_cast<std::uint32_t>(std::ceil(std::sqrt(double(size.x) * size.y / most_pilot_pixels)));
-    const uvec2 count = (size + step - 1u) / step;
-    const std::uint32_t samples = std::clamp(pilot_paths / (count.x * count.y), 1u, most_pilot_samples);
-    std::vector<std::vector<LitPoint>> per_pixel(std::size_t{count.x} * count.y);
-    tbb::parallel_for(std::size_t{0}, per_pixel.size(), [&](std::size_t i) {
-        const uvec2 pixel(i % count.x * step, i / count.x * step);
-        for (std::uint32_t number = run * samples; number < (run + 1) * samples; ++number) trace(pixel, number, nullptr, &per_pixel[i]);
-    });
-    // Errors are judged beside a pixel's own light, but for the darkest ones: each pixel's points count about the same.
-    const auto sum = [](const std::vector<LitPoint>& points) {
-        float total = 0.0f;
-        for (const LitPoint& point : points) total += point.weight;
-        return total;
-    };
-    float mean = 0.0f;
-    for (const auto& points : per_pixel) mean += sum(points) / static_cast<float>(per_pixel.size());
-    std::vector<LitPoint> result;
-    for (auto& points : per_pixel) {
-        const float scale = 1.0f / (sum(points) + mean);
-        for (LitPoint& point : points) {
-            point.weight *= scale;
-            result.push_back(point);
-        }
-    }
-    return result;
+void walk_path(const TransportWorld& world, const SurfacePoint& point, vec3 to_eye, SampleSequence samples, PathSample& out, const PathRecord& record) {
+    Walk(world, samples, out, record.rays, record.lit).from(point, to_eye);
 }
 
-std::uint64_t PathTracer::content_hash() const {
-    std::uint64_t hash = hash_bytes(world_.scene.content_hash(), &frame_, sizeof frame_);
-    hash = hash_bytes(hash, world_.lights.data(), world_.lights.size() * sizeof(LightParams));
-    hash = hash_bytes(hash, world_.casts.data(), world_.casts.size());
-    return hash_bytes(hash, world_.bounces.data(), world_.bounces.size());
-}
-
-Ray PathTracer::camera_ray(uvec2 pixel, vec2 within) const {
-    const vec2 size(frame_.ray_right.w, frame_.ray_up.w);
-    const vec2 at = (vec2(pixel) + within) / size;
-    return {.origin = vec3(frame_.camera_position), .direction = view_ray(frame_, vec2(2.0f * at.x - 1.0f, 1.0f - 2.0f * at.y)), .nearest = frame_.camera_position.w};
-}
-
-PathSample PathTracer::sample(uvec2 pixel, std::uint32_t number) const { return trace(pixel, number, nullptr, nullptr); }
-
-PathSample PathTracer::sample_recorded(uvec2 pixel, std::uint32_t number, std::vector<TracedRay>& rays) const {
-    return trace(pixel, number, &rays, nullptr);
-}
-
-PathSample PathTracer::trace(uvec2 pixel, std::uint32_t number, std::vector<TracedRay>* recorded, std::vector<LitPoint>* lit) const {
-    PathSample out;
-    SampleSequence samples(world_.settings.seed * 2u + (number & 1u), pixel, number >> 1);
-    const vec2 within = samples.pair();
-    const Ray ray = camera_ray(pixel, world_.settings.pixel_area ? within : vec2(0.5f));
-    ++out.rays;
-    if (recorded != nullptr) recorded->push_back({ray, false});
-    const auto hit = world_.scene.intersect_front(ray);
-    if (!hit) {
-        out.direct = world_.sky;
-        return out;
-    }
-    Walk(world_, samples, out, recorded, lit).from(world_.scene.surface_at(*hit), -glm::normalize(ray.direction));
-    return out;
-}
-
-FirstSurface PathTracer::first_surface(uvec2 pixel) const {
-    const auto hit = world_.scene.intersect_front(camera_ray(pixel, vec2(0.5f)));
-    if (!hit) return {};
-    const SurfacePoint point = world_.scene.surface_at(*hit);
-    const float distance = glm::dot(point.position - vec3(frame_.camera_position), vec3(frame_.ray_forward));
-    return {.albedo = vec3(point.surface.base_colour), .normal = point.normal(), .position = point.position, .depth = frame_.camera_position.w / distance};
+void gather_path(const TransportWorld& world, const SurfacePoint& point, SampleSequence samples, PathSample& out, const PathRecord& record) {
+    Walk(world, samples, out, record.rays, record.lit).at(point);
 }
 
 }  // namespace sl

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "engine/render/reference/light_paths.h"
+#include "engine/render/trace/light_paths.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "engine/render/reference/directions.h"
+#include "engine/render/trace/directions.h"
 
 namespace sl {
 

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include "engine/render/gi/facet_light.h"
+#include "engine/render/gi/gi.h"
+
+namespace sl {
+
+namespace {
+
+/// What a window spends on tracing in a frame, s.
+constexpr double window_seconds = 0.008;
+
+}  // namespace
+
+GiResult indirect_light(const FrameInput& frame, const GBuffer& gbuffer, const Facets& settings) {
+    FacetLight& light = frame.facets;
+    float progress = 0.0f;
+    // A capture's frames before its last one are not looked at.
+    if (frame.slice_budget > 0) {
+        const bool at_once = frame.slice_budget == ~0u;
+        progress = light.cache.update(frame.scene, frame.params, settings, {.seconds = at_once ? 0.0 : window_seconds});
+    }
+    const FacetTable& table = light.cache.table();
+    if (table.slots == 0) return {.irradiance = frame.graph.black(), .progress = progress};
+    if (light.uploaded != light.cache.version()) {
+        light.table.upload(table.words, "facets");
+        light.uploaded = light.cache.version();
+    }
+    FacetParams params{};
+    params.grid = vec4(settings.spacing * 2.0f * glm::length(vec3(frame.params.ray_up)) / frame.params.ray_up.w, table.unit, settings.strength, 0.0f);
+    params.table = uvec4(table.slots - 1, table.longest_search, 0, 0);
+    auto pass = frame.graph.fullscreen("facets", "gi/facets.frag");
+    pass.params("Frame", frame.params)
+        .params("Facets", params)
+        .storage("Table", frame.graph.import_buffer("facets", table.words.size() * sizeof(std::uint32_t), light.table.id()))
+        .read("depth", gbuffer.depth)
+        .read("normal", gbuffer.normal);
+    return {.irradiance = pass.create("irradiance", frame.screen(Format::rgba32f)), .progress = progress};
+}
+
+}  // namespace sl

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/render/trace/emitters.h"
+#include "engine/render/trace/light_paths.h"
+#include "engine/render/trace/samples.h"
+#include "shared/lights.h"
+
+namespace sl {
+
+/// How surfaces other than the first reflect.
+enum class Reflection {
+    full,    ///< with their specular lobes
+    diffuse  ///< as Lambertian surfaces, which is what a reflective shadow map takes them for
+};
+
+/// What transport a reference holds.
+struct TransportSettings {
+    static constexpr int until_converged = -1;
+    int bounces = until_converged;  ///< reflections before the first surface; 0: nothing but direct light
+    /// false: indirect light passes through everything, which is the model of a reflective shadow map. One bounce of
+    /// the lights that bounce, diffuse.
+    bool occlusion = true;
+    Reflection reflection = Reflection::full;
+    bool pixel_area = true;  ///< false: all samples of a pixel pass through its centre, as a rasterizer's do
+    bool light_paths = true; ///< also look for lit points from the lights' side: less noise, the same mean
+    std::uint32_t seed = 1;
+
+    bool operator==(const TransportSettings&) const = default;
+};
+
+/// What one path brings. Radiance in nit, irradiance in lux.
+struct PathSample {
+    vec3 direct{0.0f};               ///< radiance: emitted, or lit without a reflection in between; the sky
+    vec3 indirect{0.0f};             ///< radiance: lit by reflections
+    vec3 irradiance_lights{0.0f};    ///< at the first surface, by reflected light of directional, spot and point lights
+    vec3 irradiance_sky{0.0f};       ///< by the sky, straight or reflected
+    vec3 irradiance_emission{0.0f};  ///< by glowing surfaces, straight or reflected
+    bool surface = false;            ///< there is a first surface
+    std::uint32_t rays = 0;          ///< traced for it
+
+    /// All that arrives at the first surface but what comes straight from directional, spot and point lights: what a GI
+    /// method is asked for.
+    vec3 irradiance() const { return irradiance_lights + irradiance_sky + irradiance_emission; }
+};
+
+/// A ray as a path asked for it.
+struct TracedRay {
+    Ray ray;
+    bool shadow = false;  ///< only whether it is blocked was asked
+};
+
+/// What paths walk in.
+struct TransportWorld {
+    TraceScene scene;
+    Emitters emitters;
+    std::vector<LightParams> lights;
+    std::vector<char> casts;    ///< per light: things stand in its way
+    std::vector<char> bounces;  ///< per light: it has a reflective shadow map
+    vec3 sky;                   ///< nit
+    TransportSettings settings;
+    LightPaths light_paths{};   ///< empty while they are looked for
+
+    /// Throws Error when the ray tracer does not start.
+    TransportWorld(const RenderScene& scene, const TransportSettings& settings);
+};
+
+/// What a path leaves behind besides its light; null where it is not wanted.
+struct PathRecord {
+    std::vector<TracedRay>* rays = nullptr;
+    std::vector<LitPoint>* lit = nullptr;  ///< the lit points that it found, with what they bring to the first surface
+};
+
+/// Follows one path from a first surface to its end, and adds what it brings to `out`.
+void walk_path(const TransportWorld& world, const SurfacePoint& point, vec3 to_eye, SampleSequence samples, PathSample& out, const PathRecord& record = {});
+/// The same for the irradiance at a point alone, in the hemisphere of its normal: no direct light, no reflection to an eye.
+void gather_path(const TransportWorld& world, const SurfacePoint& point, SampleSequence samples, PathSample& out, const PathRecord& record = {});
+
+}  // namespace sl

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "shared/prelude.h"
+
+SHARED_BEGIN
+
+/// How a pass looks irradiance up in the table of facets.
+struct FacetParams {
+    vec4 grid;    ///< x: side of a facet over its distance from the camera; y: lux of a stored 1; z: factor on the result; w: unused
+    uvec4 table;  ///< x: slots - 1, which are a power of two; y: slots that one search looks at; z, w: unused
+};
+
+/// A square on a surface, in a lattice of squares whose sides are powers of two, in metres. Of all surfaces that face
+/// along one axis and lie in one slab of the lattice, an eighth as high as it is wide, there is one facet.
+struct FacetCell {
+    uvec4 name;   ///< x, y: upper and lower half; z, w: unused
+    vec4 within;  ///< xy: where in the square a point lies, 0..1; zw: unused
+};
+
+/// Lattice coordinates along the surface (x, y) and off it (z) of a vector, for a surface that faces along an axis (0 to 2).
+SHARED_FN vec3 facet_axes(vec3 v, uint axis) {
+    if (axis == 0u) { return vec3(v.y, v.z, v.x); }
+    if (axis == 1u) { return vec3(v.z, v.x, v.y); }
+    return v;
+}
+
+/// The axis along which a normal points most. Halfway between two it is the same for all normals that differ by rounding.
+SHARED_FN uint facet_axis(vec3 normal) {
+    vec3 size = abs(normal);
+    if (size.y >= max(size.x, size.z) - 0.02f) { return 1u; }
+    return size.x >= size.z - 0.02f ? 0u : 2u;
+}
+
+/// Side of the facets at a distance: the least power of two that is not smaller than asked for; as its exponent.
+SHARED_FN float facet_level(float distance, float side_over_distance) {
+    return clamp(ceil(log2(max(distance * side_over_distance, 1e-18f))), -60.0f, 60.0f);
+}
+
+SHARED_FN FacetCell facet_cell(vec3 position, vec3 normal, float level) {
+    uint axis = facet_axis(normal);
+    vec3 at = facet_axes(position, axis);
+    uint side = 2u * axis + (facet_axes(normal, axis).z < 0.0f ? 1u : 0u);
+    at = at * exp2(-level);
+    // Off the surface the lattice is finer: steps are other facets than the floor beside them. Surfaces often lie on its
+    // planes; seen a little before themselves, they lie between two.
+    at.z = at.z * 8.0f + ((side & 1u) != 0u ? -0.2929f : 0.2929f);
+    vec3 cell = floor(at);
+    FacetCell result;
+    // Modulo 2^16: farther off than that, facets are so far away that their level is another one.
+    uint low = (uint(int(cell.x)) & 0xffffu) | (uint(int(cell.y)) << 16);
+    uint high = 0x80000000u | (uint(int(level) + 64) << 19) | (side << 16) | (uint(int(cell.z)) & 0xffffu);
+    result.name = uvec4(high, low, 0u, 0u);
+    result.within = vec4(at.x - cell.x, at.y - cell.y, 0.0f, 0.0f);
+    return result;
+}
+
+/// Where the search for a facet begins, before it is cut to the table's size.
+SHARED_FN uint facet_slot(uint high, uint low) {
+    uint hash = (low ^ (high * 0x9e3779b1u)) * 0x7feb352du;
+    hash = (hash ^ (hash >> 15)) * 0x846ca68bu;
+    return hash ^ (hash >> 16);
+}
+
+SHARED_END
