@@ -17,7 +17,7 @@ int run(int argc, char** argv) {
         .declare =
             [&](const sl::Flags& line) {
                 line.add("--context", flags.context, "Where OpenGL comes from: auto, window, egl (no display), osmesa (no GPU stack)");
-                line.add("--log", flags.log_level, "Least level of messages: trace, debug, info, warn, error");
+                line.add("--log", flags.log_level, "Least level of messages").one_of({"trace", "debug", "info", "warn", "error"});
                 sl::add_play_command(line, flags);
                 sl::add_capture_command(line, flags);
                 sl::add_tour_command(line, flags);

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/core/clock.h"
+#include "engine/core/closest_name.h"
 #include "engine/core/error.h"
 #include "engine/core/field_list.h"
 #include "engine/core/text_file.h"
@@ -65,7 +66,7 @@ std::filesystem::path scene_path(const std::string& scene) {
     if (std::filesystem::exists(file)) return file;
     std::vector<std::string> names;
     for (const SceneListing& listing : scene_names()) names.push_back(listing.name);
-    fail("there is no scene '{}'; choose one of {}, or give the path of a scene file", scene, fmt::join(names, ", "));
+    fail("{}, or give the path of a scene file", no_such_name("scene", scene, names));
 }
 
 Entity active_camera(World& world) {

@@ -17,6 +17,7 @@ FrameOutput build_frame(const FrameInput& frame) {
     frame.graph.group({});
     output.irradiance = gi.irradiance;
     output.gi_progress = gi.progress;
+    output.gi_traced_seconds = gi.traced_seconds;
 
     output.hdr = compose(frame, output.gbuffer, output.direct, output.irradiance);
     const ImageId ldr = tonemap(frame, output.hdr);

@@ -13,6 +13,7 @@ struct FrameOutput {
     ImageId irradiance;  ///< rgba32f, lux, indirect
     GBuffer gbuffer;
     float gi_progress = 1.0f;
+    double gi_traced_seconds = 0.0;  ///< of the frame, spent by the CPU on tracing light
 };
 
 /// The group of all passes that the GI method asked for.

@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "engine/core/error.h"
+#include "engine/core/field_list.h"
 #include "engine/core/text_file.h"
 #include "engine/measure/flip.h"
 #include "engine/measure/heat_map.h"
@@ -66,6 +67,16 @@ BenchPlan plan_of(const GiBenchFlags& flags) {
     return plan;
 }
 
+std::string command_of(const GiBenchFlags& flags) {
+    std::string text = "secondlight bench gi";
+    if (flags.quick) text += " --quick";
+    for (const std::string& scene : flags.scenes) text += " --scene " + scene;
+    if (!flags.size.empty()) text += " --size " + flags.size;
+    if (flags.rounds > 0) text += fmt::format(" --rounds {}", flags.rounds);
+    if (flags.spp > 0) text += fmt::format(" --spp {}", flags.spp);
+    return text;
+}
+
 /// The map size of a candidate; 0 for methods without maps.
 std::uint32_t map_size(const std::string& scene, const BenchCandidate& candidate) {
     App app = open_scene(choice_of(scene, candidate));
@@ -76,6 +87,19 @@ std::uint32_t map_size(const std::string& scene, const BenchCandidate& candidate
         return 0;
     }, settings->method);
 }
+
+/// All settings of a candidate's method, defaults included.
+std::string settings_of(const std::string& scene, const BenchCandidate& candidate) {
+    App app = open_scene(choice_of(scene, candidate));
+    std::string text;
+    const auto* settings = app.world.find<GiSettings>(active_camera(app.world));
+    if (settings == nullptr) return text;
+    for (const FieldRow& row : list_fields(GiSettings(*settings))) text += fmt::format("{}{}={}", text.empty() ? "" : " ", row.name, row.value);
+    return text;
+}
+
+/// Frames in which each candidate is lit anew; they cost much more than others.
+constexpr std::uint32_t rounds_lit_anew = 3;
 
 /// One scene's measurement.
 class ViewBench {
@@ -117,7 +141,7 @@ class ViewBench {
         for (std::size_t i = 0; i < plan_.candidates.size(); ++i) {
             const BenchCandidate& candidate = plan_.candidates[i];
             const Drawn drawn = draw_once(choice_of(scene_, candidate), renderer, plan_.size);
-            BenchRow row{.scene = scene_, .method = candidate.method, .candidate = candidate.label()};
+            BenchRow row{.scene = scene_, .method = candidate.method, .candidate = candidate.label(), .settings = settings_of(scene_, candidate)};
             row.open = image_errors(drawn.irradiance, truths_.open.irradiance, truths_.mask);
             row.one = image_errors(drawn.irradiance, truths_.one.irradiance, truths_.mask);
             row.full = image_errors(drawn.irradiance, truths_.full.irradiance, truths_.mask);
@@ -197,7 +221,14 @@ class ViewBench {
                 tell(0.75 + 0.25 * static_cast<double>(round * sides.size() + i + 1) / static_cast<double>(plan_.rounds * sides.size()), "times");
             }
         }
+        const std::uint32_t anew = std::min(rounds_lit_anew, plan_.rounds);
+        for (std::uint32_t round = 0; round < anew; ++round) {
+            for (std::size_t i = 0; i < sides.size(); ++i) {
+                if (round == 0 || !slow[i]) sides[i]->measure_anew(plan_.size, 2 * (plan_.rounds + round + 1));
+            }
+        }
         for (std::size_t i = 0; i < sides.size(); ++i) {
+            rows_[i].gi_anew_ms = spread_of(sides[i]->gi_anew);
             rows_[i].gi_ms = spread_of(sides[i]->gi);
             rows_[i].frame_ms = spread_of(sides[i]->frames);
             rows_[i].runs = sides[i]->gi.size();
@@ -219,11 +250,11 @@ void print(const BenchReport& report) {
     const std::vector<bool> best = on_frontier(report.rows);
     for (const BenchView& view : report.views) {
         fmt::print("\n{} · own noise of the references: open {:.1f} %, one bounce {:.1f} %, full {:.1f} %\n", view.scene, 100.0 * view.open_noise, 100.0 * view.one_noise, 100.0 * view.full_noise);
-        fmt::print("  {:<58}{:>10}{:>10}{:>10}{:>10}{:>10}{:>8}\n", "NRMSE of irradiance, %", "GI ms", "sampling", "open", "one", "full", "FLIP");
+        fmt::print("  {:<58}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}{:>8}\n", "NRMSE of irradiance, %", "GI ms", "lit anew", "sampling", "open", "one", "full", "FLIP");
         for (std::size_t i = 0; i < report.rows.size(); ++i) {
             const BenchRow& row = report.rows[i];
             if (row.scene != view.scene) continue;
-            fmt::print("{} {:<58}{:>10.2f}{:>10}{:>10.1f}{:>10.1f}{:>10.1f}{:>8.3f}\n", best[i] ? "*" : " ", row.candidate, row.gi_ms.median,
+            fmt::print("{} {:<58}{:>10.2f}{:>10.1f}{:>10}{:>10.1f}{:>10.1f}{:>10.1f}{:>8.3f}\n", best[i] ? "*" : " ", row.candidate, row.gi_ms.median, row.gi_anew_ms.median,
                        row.sampling ? fmt::format("{:.1f}", 100.0 * row.sampling->nrmse) : "-", 100.0 * row.open.nrmse, 100.0 * row.one.nrmse, 100.0 * row.full.nrmse, row.flip);
         }
     }
@@ -241,7 +272,7 @@ int run_bench_gi(const GlobalFlags& global, const GiBenchFlags& flags) {
     report.renderer = headless.context->renderer();
     report.date = today();
     report.size = fmt::format("{}x{}", plan.size.x, plan.size.y);
-    report.command = fmt::format("secondlight bench gi{}", flags.quick ? " --quick" : "");
+    report.command = command_of(flags);
     Progress progress("measuring");
     for (std::size_t i = 0; i < plan.scenes.size(); ++i) {
         const auto count = static_cast<double>(plan.scenes.size());

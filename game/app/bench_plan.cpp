@@ -21,7 +21,8 @@ BenchPlan quick_plan() {
                            {"rsm_grid", {"step=4"}},
                            {"rsm_disc", {"rsm_size=128", "samples=64"}},
                            {"rsm_disc", {"rsm_size=128", "samples=256"}},
-                           {"rsm_exact", {"rsm_size=32"}}},
+                           {"rsm_exact", {"rsm_size=32"}},
+                           {"facets", {}}},
             .rounds = 5,
             .spp = 128};
 }
@@ -30,14 +31,19 @@ BenchPlan full_plan() {
     BenchPlan plan;
     plan.scenes = {"outdoor", "indoor", "hills", "night", "cornell", "plates"};
     plan.candidates.push_back({"off", {}});
+    // Each method first as it is shipped, which is what people get.
+    plan.candidates.push_back({"rsm_grid", {}});
+    plan.candidates.push_back({"rsm_grid", {"preset=paper-artefact"}});
     for (const int step : {8, 4, 2}) plan.candidates.push_back({"rsm_grid", {fmt::format("step={}", step)}});
-    for (const int spacing : {16, 8, 4}) {
-        for (const int samples : {16, 64, 256, 1024}) {
-            plan.candidates.push_back({"rsm_disc", {"rsm_size=128", fmt::format("samples={}", samples), fmt::format("low_resolution={}", spacing)}});
-        }
-    }
+    plan.candidates.push_back({"rsm_disc", {}});
+    for (const int samples : {16, 64, 256, 1024}) plan.candidates.push_back({"rsm_disc", {"rsm_size=128", fmt::format("samples={}", samples)}});
+    for (const int spacing : {16, 4}) plan.candidates.push_back({"rsm_disc", {"rsm_size=128", "samples=256", fmt::format("low_resolution={}", spacing)}});
+    for (const char* radius : {"0.25", "1"}) plan.candidates.push_back({"rsm_disc", {"rsm_size=128", "samples=256", fmt::format("radius={}", radius)}});
     plan.candidates.push_back({"rsm_disc", {"rsm_size=128", "samples=64", "interpolate=false"}});
+    plan.candidates.push_back({"rsm_disc", {"rsm_size=128", "samples=64", "interpolate=false", "rotate=true"}});
     for (const int size : {16, 32, 64}) plan.candidates.push_back({"rsm_exact", {fmt::format("rsm_size={}", size)}});
+    plan.candidates.push_back({"facets", {}});
+    for (const int spacing : {16, 4}) plan.candidates.push_back({"facets", {fmt::format("spacing={}", spacing)}});
     return plan;
 }
 

@@ -21,6 +21,7 @@ using Json = nlohmann::ordered_json;
 /// The figures of a row under the names that all three files use.
 std::vector<std::pair<std::string, double>> figures(const BenchRow& row) {
     std::vector<std::pair<std::string, double>> result{{"gi_ms", row.gi_ms.median}, {"gi_ms_q1", row.gi_ms.first}, {"gi_ms_q3", row.gi_ms.third},
+                                                       {"gi_anew_ms", row.gi_anew_ms.median}, {"gi_anew_ms_q1", row.gi_anew_ms.first}, {"gi_anew_ms_q3", row.gi_anew_ms.third},
                                                        {"frame_ms", row.frame_ms.median}, {"frame_ms_q1", row.frame_ms.first}, {"frame_ms_q3", row.frame_ms.third},
                                                        {"runs", static_cast<double>(row.runs)}};
     const auto add = [&](const std::string& truth, const ErrorMetrics* errors) {
@@ -39,11 +40,11 @@ std::vector<std::pair<std::string, double>> figures(const BenchRow& row) {
 }
 
 std::string csv(const BenchReport& report) {
-    std::string text = "commit,processor,renderer,date,size,scene,method,candidate";
+    std::string text = "commit,processor,renderer,date,size,scene,method,candidate,settings";
     for (const auto& [name, value] : figures(BenchRow{})) text += "," + name;
     text += "\n";
     for (const BenchRow& row : report.rows) {
-        text += fmt::format("{},\"{}\",\"{}\",{},{},{},{},{}", report.commit, report.processor, report.renderer, report.date, report.size, row.scene, row.method, row.candidate);
+        text += fmt::format("{},\"{}\",\"{}\",{},{},{},{},{},{}", report.commit, report.processor, report.renderer, report.date, report.size, row.scene, row.method, row.candidate, row.settings);
         for (const auto& [name, value] : figures(row)) text += std::isfinite(value) ? fmt::format(",{:.6g}", value) : ",";
         text += "\n";
     }
@@ -56,7 +57,7 @@ Json json(const BenchReport& report) {
         views.push_back({{"scene", view.scene}, {"open_noise", view.open_noise}, {"one_noise", view.one_noise}, {"full_noise", view.full_noise}});
     }
     for (const BenchRow& row : report.rows) {
-        Json one{{"scene", row.scene}, {"method", row.method}, {"candidate", row.candidate}};
+        Json one{{"scene", row.scene}, {"method", row.method}, {"candidate", row.candidate}, {"settings", row.settings}};
         for (const auto& [name, value] : figures(row)) one[name] = std::isfinite(value) ? Json(value) : Json(nullptr);
         rows.push_back(std::move(one));
     }
@@ -93,8 +94,9 @@ svg text{font:12px system-ui,sans-serif}svg .title{font-weight:bold;font-size:14
 <h1>Speed against error</h1>
 )";
 
-constexpr const char* explanation = R"(<p class="note">Time is that of all passes which the method asks for, each finished before the next; median (quartiles).
-The camera turns at each frame, so nothing that depends on the view is reused; light and blocks stand still, so their maps are.
+constexpr const char* explanation = R"(<p class="note">Time is that of all passes which the method asks for, each finished before the next, and of what it traces on the CPU; median (quartiles).
+The camera turns at each frame, so nothing that depends on the view is reused; light and blocks stand still, so what was made of them
+(reflective shadow maps, facets) is. <b>Lit anew</b> is a frame after all of that was forgotten: as if every light had moved.
 Errors are of indirect irradiance, background left out, as NRMSE (root mean square error over the reference's mean):
 <b>sampling</b> against the sum over every texel of the same maps; <b>open</b> against path-traced one diffuse bounce that passes through everything;
 <b>one bounce</b> the same, blocked by what stands between; <b>full</b> against all transport, sky and glowing surfaces included.
@@ -105,14 +107,14 @@ A reference's own noise stands beside it: an error near it is not a measurement.
 std::string percent(double value) { return std::isfinite(value) ? fmt::format("{:.1f} %", 100.0 * value) : "–"; }
 
 std::string table(const BenchReport& report, const BenchView& view, const std::vector<bool>& best) {
-    std::string html = fmt::format("<table><tr><th>method</th><th>GI, ms</th><th>frame, ms</th><th>sampling</th><th>open<br>(noise {})</th><th>one bounce<br>(noise {})</th>"
+    std::string html = fmt::format("<table><tr><th>method</th><th>GI, ms</th><th>lit anew, ms</th><th>frame, ms</th><th>sampling</th><th>open<br>(noise {})</th><th>one bounce<br>(noise {})</th>"
                                    "<th>full<br>(noise {})</th><th>bias</th><th>p95</th><th>relMSE</th><th>FLIP</th></tr>\n",
                                    percent(view.open_noise), percent(view.one_noise), percent(view.full_noise));
     for (std::size_t i = 0; i < report.rows.size(); ++i) {
         const BenchRow& row = report.rows[i];
         if (row.scene != view.scene) continue;
-        html += fmt::format("<tr{}><td>{}</td><td>{:.1f} ({:.1f}–{:.1f})</td><td>{:.1f}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{:.3g}</td><td>{:.3f}</td></tr>\n",
-                            best[i] ? " class=\"best\"" : "", html_text(row.candidate), row.gi_ms.median, row.gi_ms.first, row.gi_ms.third, row.frame_ms.median,
+        html += fmt::format("<tr{}><td>{}</td><td>{:.1f} ({:.1f}–{:.1f})</td><td>{:.1f}</td><td>{:.1f}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{:.3g}</td><td>{:.3f}</td></tr>\n",
+                            best[i] ? " class=\"best\"" : "", html_text(row.candidate), row.gi_ms.median, row.gi_ms.first, row.gi_ms.third, row.gi_anew_ms.median, row.frame_ms.median,
                             row.sampling ? percent(row.sampling->nrmse) : "–", percent(row.open.nrmse), percent(row.one.nrmse), percent(row.full.nrmse), percent(row.full.bias),
                             percent(row.full.p95), row.full.rel_mse, row.flip);
     }

@@ -13,7 +13,8 @@ namespace sl {
 /// One candidate in one view: what it costs, and how far it is from each truth.
 struct BenchRow {
     std::string scene, method, candidate;
-    Spread gi_ms, frame_ms;
+    std::string settings;  ///< all of the method's: "rsm_size=128 samples=64 ..."
+    Spread gi_ms, gi_anew_ms, frame_ms;
     std::size_t runs = 0;
     std::optional<ErrorMetrics> sampling;  ///< against the sum over every texel of the same maps; none for methods without samples
     ErrorMetrics open, one, full;          ///< against the path-traced truths (bench_truth.h)

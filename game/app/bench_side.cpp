@@ -29,7 +29,7 @@ double BenchSide::draw(uvec2 size, std::uint32_t frame, bool per_pass) {
     glFinish();
     const auto start = std::chrono::steady_clock::now();
     extract(app.world, scene);
-    renderer.render(scene, {.width = size.x, .height = size.y, .frame_index = frame});
+    result_ = renderer.render(scene, {.width = size.x, .height = size.y, .frame_index = frame});
     glFinish();
     const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - start;
     return passed.count();
@@ -43,7 +43,15 @@ void BenchSide::measure(uvec2 size, std::uint32_t frame) {
         if (!passes.contains(pass.name)) order.push_back(pass.name);
         passes[pass.name].push_back(pass.milliseconds);
     }
-    gi.push_back(gi_milliseconds(spans));
+    gi.push_back(gi_time());
 }
+
+void BenchSide::measure_anew(uvec2 size, std::uint32_t frame) {
+    renderer.forget();
+    draw(size, frame, true);
+    gi_anew.push_back(gi_time());
+}
+
+double BenchSide::gi_time() { return gi_milliseconds(renderer.executor().finished_timings()) + 1e3 * result_.images.gi_traced_seconds; }
 
 }  // namespace sl

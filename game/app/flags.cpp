@@ -36,7 +36,12 @@ Flag& Flag::within(double low, double high) {
     return *this;
 }
 Flag& Flag::not_negative() {
-    option_->check(CLI::NonNegativeNumber);
+    option_->check(CLI::Validator(
+        [](const std::string& text) {
+            double number = 0.0;
+            return CLI::detail::lexical_cast(text, number) && number >= 0.0 ? std::string() : text + " is not a number of at least 0";
+        },
+        "AT LEAST 0"));
     return *this;
 }
 Flag& Flag::one_of(const std::vector<std::string>& choices) {

@@ -12,7 +12,10 @@ namespace sl {
 namespace {
 
 void list_scenes() {
-    for (const SceneListing& scene : scene_names()) fmt::print("{:<12}{}\n", scene.name, scene.description);
+    const auto scenes = scene_names();
+    std::size_t longest = 0;
+    for (const SceneListing& scene : scenes) longest = std::max(longest, scene.name.size());
+    for (const SceneListing& scene : scenes) fmt::print("{:<{}}  {}\n", scene.name, longest, scene.description);
 }
 
 void list_methods() {

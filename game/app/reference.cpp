@@ -126,7 +126,7 @@ int run_reference(const ReferenceFlags& flags) {
         [&] { write_reference(flags.output, info, film); });
     progress.clear();
     const double rate = done.seconds > 0.0 ? static_cast<double>(done.rays) / done.seconds * 1e-6 : 0.0;
-    fmt::print("{}: {} samples a pixel, noise {:.3f} % of the mean irradiance; {:.1f} s, {:.1f} million rays, {:.2f} million a second\n", flags.output,
+    fmt::print("{}: {} samples a pixel, noise at most {:.3f} % of the mean irradiance; {:.1f} s, {:.1f} million rays, {:.2f} million a second\n", flags.output,
                done.samples, 100.0 * done.noise, done.seconds, static_cast<double>(done.rays) * 1e-6, rate);
     if (!flags.png.empty()) write_picture(flags.png, film, scene.view->exposure());
     if (stop_wanted == 0) return 0;
@@ -147,7 +147,7 @@ int run_merge(const std::vector<std::string>& inputs, const std::string& output)
         }
     }
     write_reference(output, merged.info, merged.film);
-    fmt::print("{}: {} files, noise {:.3f} % of the mean irradiance\n", output, inputs.size(), 100.0 * merged.film.noise());
+    fmt::print("{}: {} files, noise at most {:.3f} % of the mean irradiance\n", output, inputs.size(), 100.0 * merged.film.noise());
     return 0;
 }
 
@@ -158,8 +158,8 @@ void add_reference_command(const Flags& program) {
     const Flags command = program.command("reference", "Path-trace a scene: the truth that methods are measured against. An interrupted run continues from its file");
     add_scene_flags(command, flags->choice);
     command.add("--size", flags->size, "WIDTHxHEIGHT in pixels");
-    command.add("--spp", flags->spp, "Samples per pixel, at most");
-    command.add("--noise", flags->noise, "Also stop when irradiance is this exact: RMS standard error over mean, e.g. 0.01").not_negative();
+    command.add("--spp", flags->spp, "Samples per pixel, at most; without effect beside --samples");
+    command.add("--noise", flags->noise, "Also stop when irradiance is this exact: RMS standard error over mean, e.g. 0.01; reckoned as if samples were random, so that the true error (see compare) is less").not_negative();
     command.add("--bounces", flags->bounces, "Reflections of light before the first surface: 0 is direct light alone; full: until the rest is nothing");
     command.toggle("--no-occlusion", flags->no_occlusion, "One bounce that passes through everything: the model of a reflective shadow map");
     command.add("--reflection", flags->reflection, "full: surfaces reflect with their highlights; diffuse: as a reflective shadow map takes them").one_of({"full", "diffuse"});

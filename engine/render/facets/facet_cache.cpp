@@ -84,7 +84,8 @@ float FacetCache::update(const RenderScene& scene, const FrameParams& frame, con
         }
         trace(settings, budget);
         split_where_needed(settings);
-    } while (at_once && (looks_ < most_looks || !unfinished_.empty()));
+        // A camera that moves meets little that is new, and looks again in the next frame.
+    } while (at_once && ((anew && looks_ < most_looks) || !unfinished_.empty()));
     if (facets_.size() != known || paths_ != paths || anew) {
         fill_table();
         ++version_;

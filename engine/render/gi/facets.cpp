@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <chrono>
+
 #include "engine/render/gi/facet_light.h"
 #include "engine/render/gi/gi.h"
 
@@ -14,6 +16,7 @@ constexpr double window_seconds = 0.008;
 GiResult indirect_light(const FrameInput& frame, const GBuffer& gbuffer, const Facets& settings) {
     FacetLight& light = frame.facets;
     float progress = 0.0f;
+    const auto start = std::chrono::steady_clock::now();
     // A capture's frames before its last one are not looked at.
     if (frame.slice_budget > 0) {
         const bool at_once = frame.slice_budget == ~0u;
@@ -25,6 +28,7 @@ GiResult indirect_light(const FrameInput& frame, const GBuffer& gbuffer, const F
         light.table.upload(table.words, "facets");
         light.uploaded = light.cache.version();
     }
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     FacetParams params{};
     params.grid = vec4(settings.spacing * 2.0f * glm::length(vec3(frame.params.ray_up)) / frame.params.ray_up.w, table.unit, settings.strength, 0.0f);
     params.table = uvec4(table.slots - 1, table.longest_search, 0, 0);
@@ -34,7 +38,7 @@ GiResult indirect_light(const FrameInput& frame, const GBuffer& gbuffer, const F
         .storage("Table", frame.graph.import_buffer("facets", table.words.size() * sizeof(std::uint32_t), light.table.id()))
         .read("depth", gbuffer.depth)
         .read("normal", gbuffer.normal);
-    return {.irradiance = pass.create("irradiance", frame.screen(Format::rgba32f)), .progress = progress};
+    return {.irradiance = pass.create("irradiance", frame.screen(Format::rgba32f)), .progress = progress, .traced_seconds = seconds};
 }
 
 }  // namespace sl

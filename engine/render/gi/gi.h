@@ -11,6 +11,8 @@ struct GiResult {
     ImageId irradiance;  ///< rgba32f at the G-buffer's size, or a black pixel
     /// Share of work done where it is spread over frames (1 = finished).
     float progress = 1.0f;
+    /// Spent on the CPU's own light transport, s.
+    double traced_seconds = 0.0;
 };
 
 /// The contract: the frame and its settings in, irradiance out. One overload per method, each in gi/<name>.cpp.

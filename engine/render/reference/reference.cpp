@@ -69,7 +69,8 @@ ReferenceProgress trace_reference(const PathTracer& tracer, Film& film, const Re
         if (plan.noise > 0.0) progress.share = std::max(progress.share, std::min(1.0, std::pow(plan.noise / std::max(progress.noise, 1e-30), 2.0)));
     };
     refresh();
-    bool go_on = true;
+    bool go_on = true, saved_once = false;
+    double seconds_to_save = 0.0;
     while (go_on && next < plan.block.last && !(plan.noise > 0.0 && progress.noise <= plan.noise)) {
         const auto pass_start = SteadyClock::now();
         FilmBlock pass = plan.block;
@@ -82,9 +83,12 @@ ReferenceProgress trace_reference(const PathTracer& tracer, Film& film, const Re
         if (since(pass_start) > seconds_per_pass) per_pass = std::max(per_pass / 4 * 2, 2u);
         refresh();
         go_on = !tell || tell(progress);
-        if (save && since(saved) > plan.seconds_between) {
+        if (save && (!saved_once || since(saved) > std::max(plan.seconds_between, 20.0 * seconds_to_save))) {
+            const auto before = SteadyClock::now();
             save();
             saved = SteadyClock::now();
+            saved_once = true;
+            seconds_to_save = since(before);
         }
     }
     if (save && next > begun) save();

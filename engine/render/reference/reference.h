@@ -12,7 +12,7 @@ namespace sl {
 struct ReferencePlan {
     FilmBlock block;            ///< pixels, and the most samples
     double noise = 0.0;         ///< also stop when Film::noise() is at most this; 0: never
-    double seconds_between = 30.0;  ///< calls of `save`
+    double seconds_between = 5.0;  ///< calls of `save` at least; the first one comes with the first samples. More where saving takes long
 };
 
 /// What a reference tells while it grows.

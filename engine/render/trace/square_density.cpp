@@ -24,6 +24,14 @@ SquareDensity::SquareDensity(std::span<const WeightedPoint> points) {
     } else {
         split(own, vec2(0.0f), 1.0f, 0);
     }
+    list_leaves(0, vec2(0.0f), 1.0f, 1.0);
+    first_leaf_.resize(leaves_.size());
+    std::uint32_t leaf = 0;
+    for (std::size_t part = 0; part < first_leaf_.size(); ++part) {
+        const double start = static_cast<double>(part) / static_cast<double>(first_leaf_.size());
+        while (leaf + 1 < leaves_.size() && leaves_[leaf + 1].before <= start) ++leaf;
+        first_leaf_[part] = leaf;
+    }
 }
 
 std::uint32_t SquareDensity::split(std::span<WeightedPoint> points, vec2 low, float size, int depth) {
@@ -52,25 +60,29 @@ std::uint32_t SquareDensity::split(std::span<WeightedPoint> points, vec2 low, fl
     return number;
 }
 
-vec2 SquareDensity::sample(vec2 xi) const {
-    vec2 low(0.0f);
-    float half = 0.5f;
-    // Which half is taken stretches what chose it back to the whole interval, so that well-spread points stay so.
-    const auto choose = [](float& x, float share) {
-        const bool upper = x >= share;
-        x = upper ? (x - share) / (1.0f - share) : x / share;
-        x = std::clamp(x, 0.0f, 0.99999994f);
-        return upper ? 1u : 0u;
-    };
-    for (std::uint32_t number = 0;; half *= 0.5f) {
+void SquareDensity::list_leaves(std::uint32_t number, vec2 low, float size, double share) {
+    const float half = 0.5f * size;
+    for (std::size_t q = 0; q < 4; ++q) {
         const Cell& cell = cells_[number];
-        const std::uint32_t above = choose(xi.y, cell.share[0] + cell.share[1]);
-        const float pair = cell.share[2 * above] + cell.share[2 * above + 1];
-        const std::uint32_t right = choose(xi.x, cell.share[2 * above] / pair);
-        low += half * vec2(right, above);
-        number = cell.inside[2 * above + right];
-        if (number == 0) return low + half * xi;
+        const vec2 corner = low + half * vec2(q & 1, q >> 1);
+        const double own = share * cell.share[q];
+        if (cell.inside[q] != 0) {
+            list_leaves(cell.inside[q], corner, half, own);
+        } else {
+            const double before = leaves_.empty() ? 0.0 : leaves_.back().before + leaves_.back().share;
+            leaves_.push_back({corner, half, static_cast<float>(own), before});
+        }
     }
+}
+
+vec2 SquareDensity::sample(vec2 xi) const {
+    // One look into a table finds the leaf but for a step or two; descending the tree would miss the cache at each cell.
+    std::uint32_t i = first_leaf_[std::min(static_cast<std::size_t>(xi.x * static_cast<float>(first_leaf_.size())), first_leaf_.size() - 1)];
+    while (i + 1 < leaves_.size() && leaves_[i + 1].before <= xi.x) ++i;
+    const Leaf& leaf = leaves_[i];
+    // What chose the leaf, stretched back to the whole interval, is as good as a number of its own.
+    xi.x = std::clamp(static_cast<float>((xi.x - leaf.before) / leaf.share), 0.0f, 0.99999994f);
+    return glm::min(leaf.low + leaf.size * xi, 0.99999994f);
 }
 
 float SquareDensity::density(vec2 at) const {

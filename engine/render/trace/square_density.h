@@ -32,9 +32,19 @@ class SquareDensity {
         std::array<float, 4> share{};           ///< of each quarter; bit 0 of its number is the half in x, bit 1 that in y
         std::array<std::uint32_t, 4> inside{};  ///< the cell in each quarter; 0: none, it is uniform
     };
+    /// A quarter that is not split.
+    struct Leaf {
+        vec2 low;
+        float size;
+        float share;
+        double before;  ///< shares of all leaves before it
+    };
     std::uint32_t split(std::span<WeightedPoint> points, vec2 low, float size, int depth);
+    void list_leaves(std::uint32_t cell, vec2 low, float size, double share);
 
     std::vector<Cell> cells_;  ///< the first is the whole square
+    std::vector<Leaf> leaves_;
+    std::vector<std::uint32_t> first_leaf_;  ///< for each of as many equal parts of the interval: the leaf at its start
 };
 
 }  // namespace sl
