@@ -4,6 +4,7 @@
 #include <array>
 #include <iterator>
 #include <optional>
+#include <span>
 
 #include "engine/ecs/query_term.h"
 #include "engine/ecs/world.h"
@@ -14,7 +15,7 @@ namespace sl {
 /// parameter of a system the type is also the declaration of its access. Query<const A, B, With<C>,
 /// Without<D>, Maybe<const E>>.
 ///     query.each([](Entity entity, const A& a, B& b, const E* e) { … });   // the entity may be left out
-///     for (auto [entity, a, b, e] : query) …                               // the same, slower by look-ups
+///     for (auto [entity, a, b, e] : query) …                               // the same
 /// The order is that of the smallest pool: repeatable, but nothing to rely on. Adding or removing these
 /// components while walking is a mistake and stops; record it in Commands. Cheap to make: make one where it
 /// is needed, since it does not see component types that were first used after it was made.
@@ -58,14 +59,14 @@ class Query {
     }
 
     class Iterator;
-    Iterator begin() const { return Iterator(*this, complete() ? &leader() : nullptr); }
+    Iterator begin() const { return Iterator(*this, required_count > 1); }
     std::default_sentinel_t end() const { return {}; }
 
     /// At most so many entities match.
     std::size_t size_hint() const { return complete() ? leader().size() : 0; }
     /// Some matching entity with its components, or nothing.
     std::optional<Item> first() const {
-        const Iterator found = begin();
+        const Iterator found(*this, false);
         return found == end() ? std::nullopt : std::optional<Item>(*found);
     }
     bool contains(Entity entity) const { return complete() && positions(entity, Every{}).has_value(); }
@@ -203,8 +204,18 @@ class Query<Terms...>::Iterator {
     using value_type = Item;
     using difference_type = std::ptrdiff_t;
 
-    Iterator(const Query& query, const PoolIndex* leader)
-        : query_(&query), leader_(leader), version_(leader == nullptr ? 0 : query.version()) {
+    /// `by_stretches`: asks where pools lie in one order, which takes a walk of its own after they changed; else each
+    /// entity is looked up in each pool.
+    Iterator(const Query& query, bool by_stretches) : query_(&query) {
+        if (!query.complete()) return;
+        leader_ = &query.leader();
+        if (by_stretches) {
+            const auto required = query.required_pools();
+            const Alignment& alignment = query.alignments_->find(key(), required);
+            leader_ = required[alignment.leader];
+            stretches_ = alignment.stretches;
+        }
+        version_ = query.version();
         settle();
     }
     Item operator*() const { return query_->item(leader_->entities()[at_], positions_, Every{}); }
@@ -222,6 +233,10 @@ class Query<Terms...>::Iterator {
     // Moves on to the next entity that matches.
     void settle() {
         for (; *this != std::default_sentinel; ++at_) {
+            while (!stretches_.empty() && at_ >= stretches_.front().last) stretches_ = stretches_.subspan(1);
+            if constexpr (only_required) {
+                if (!stretches_.empty() && stretches_.front().aligned) return positions_.fill(at_);
+            }
             const std::optional<Positions> found = query_->positions(leader_->entities()[at_], Every{});
             if (!found) continue;
             positions_ = *found;
@@ -230,8 +245,9 @@ class Query<Terms...>::Iterator {
     }
 
     const Query* query_;
-    const PoolIndex* leader_;
-    std::uint64_t version_;
+    const PoolIndex* leader_ = nullptr;
+    std::span<const Stretch> stretches_;  ///< from the one that holds `at_` on; empty: not asked for
+    std::uint64_t version_ = 0;
     std::uint32_t at_ = 0;
     Positions positions_{};
 };
