@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// What the method facets claims: the path tracer's light, kept on surfaces, and none of it through walls.
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "tests/support/gl_test.h"
+#include "tests/support/method_picture.h"
+#include "tests/support/scene_builder.h"
+
+namespace sl {
+namespace {
+
+using Light = RenderScene::Light;
+
+mat4 at(vec3 place) { return glm::translate(mat4(1.0f), place); }
+
+/// A house of two rooms with walls of half a metre, under sun and sky: one has no roof, the other no opening at all.
+void build_rooms(SceneBuilder& builder) {
+    builder.add({Shape::Kind::box, vec3(30, 0.5f, 30)}, at(vec3(0, -0.25f, 0)), vec3(0.3f, 0.7f, 0.3f));
+    for (const float x : {-4.25f, 0.0f, 4.25f}) builder.add({Shape::Kind::box, vec3(0.5f, 3, 4)}, at(vec3(x, 1.5f, 0)), vec3(0.7f));
+    for (const float z : {-2.25f, 2.25f}) builder.add({Shape::Kind::box, vec3(9, 3, 0.5f)}, at(vec3(0, 1.5f, z)), vec3(0.7f));
+    builder.add({Shape::Kind::box, vec3(4.75f, 0.5f, 5)}, at(vec3(2.125f, 3.25f, 0)), vec3(0.7f));
+    builder.add({.kind = Light::Kind::directional, .direction = glm::normalize(vec3(0.1f, -1, 0.15f)), .intensity = vec3(1e5f), .casts_shadow = true, .bounces = true});
+    builder.scene().sky_radiance = vec3(5000.0f);
+}
+
+class FacetsTest : public GlTest {
+  protected:
+    static constexpr uvec2 size{64, 36};
+
+    Picture draw(RenderScene& scene, const Facets& settings = {}) { return picture_of({.name = "facets", .gi = settings}, scene, *renderer, size); }
+};
+
+TEST_F(FacetsTest, NoLightGetsThroughAWallOfOneBlock) {
+    SceneBuilder builder;
+    build_rooms(builder);
+    // First the bright room, whose facets stay in the table, then the dark one.
+    builder.look(vec3(-3.7f, 2.5f, -1.5f), glm::normalize(vec3(1, -0.7f, 0.8f)), vec3(0, 1, 0), 1.4f);
+    const Picture bright = draw(builder.scene());
+    builder.look(vec3(3.7f, 2.5f, -1.5f), glm::normalize(vec3(-1, -0.5f, 0.8f)), vec3(0, 1, 0), 1.4f);
+    const Picture dark = draw(builder.scene());
+    float most = 0.0f;
+    for (const vec3& value : dark.irradiance) most = std::max({most, value.x, value.y, value.z});
+    EXPECT_GT(bright.mean_brightness(), 1000.0);
+    EXPECT_LT(most, 1e-3 * bright.mean_brightness());
+}
+
+TEST_F(FacetsTest, AgreeWithThePathTracer) {
+    SceneBuilder builder;
+    build_rooms(builder);
+    builder.look(vec3(-3.7f, 2.5f, -1.5f), glm::normalize(vec3(1, -0.7f, 0.8f)), vec3(0, 1, 0), 1.4f);
+    const Picture drawn = draw(builder.scene(), {.noise = 0.03f});
+    const Picture truth = traced_picture({.name = "path_tracer", .transport = {.pixel_area = false}, .samples = 1024}, builder.scene(), size);
+    double squares = 0.0, sum = 0.0, bias = 0.0;
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+        const double difference = drawn.irradiance[i].y - truth.irradiance[i].y;
+        squares += difference * difference;
+        bias += difference;
+        sum += truth.irradiance[i].y;
+    }
+    const auto count = static_cast<double>(truth.size());
+    const double mean = sum / count;
+    RecordProperty("nrmse", fmt::format("{:.4f}", std::sqrt(squares / count) / mean));
+    RecordProperty("bias", fmt::format("{:+.4f}", bias / sum));
+    EXPECT_LT(std::sqrt(squares / count) / mean, 0.10);
+    EXPECT_LT(std::abs(bias / sum), 0.03);
+}
+
+TEST_F(FacetsTest, AStillPictureNoLongerChangesAfterSixteenFrames) {
+    SceneBuilder builder;
+    build_rooms(builder);
+    builder.look(vec3(-3.7f, 2.5f, -1.5f), glm::normalize(vec3(1, -0.7f, 0.8f)), vec3(0, 1, 0), 1.4f);
+    (void)draw(builder.scene());
+    builder.look(vec3(-3.6f, 2.4f, -1.4f), glm::normalize(vec3(1, -0.6f, 0.9f)), vec3(0, 1, 0), 1.4f);
+    for (int frame = 0; frame < 16; ++frame) (void)draw(builder.scene());
+    const Picture settled = draw(builder.scene());
+    for (int frame = 0; frame < 3; ++frame) EXPECT_TRUE(same_bytes(draw(builder.scene()), settled));
+}
+
+TEST_F(FacetsTest, LightThatChangesIsSeenAndLeavesNoGhost) {
+    SceneBuilder builder;
+    build_rooms(builder);
+    builder.look(vec3(-3.7f, 2.5f, -1.5f), glm::normalize(vec3(1, -0.7f, 0.8f)), vec3(0, 1, 0), 1.4f);
+    (void)draw(builder.scene());
+    builder.scene().lights[0].direction = glm::normalize(vec3(0.4f, -1, -0.3f));
+    const Picture changed = draw(builder.scene());
+    Renderer fresh(shader_folder());
+    EXPECT_TRUE(same_bytes(changed, picture_of({.name = "facets", .gi = Facets{}}, builder.scene(), fresh, size)));
+}
+
+}  // namespace
+}  // namespace sl
