@@ -86,15 +86,24 @@ float FacetCache::update(const RenderScene& scene, const FrameParams& frame, con
         split_where_needed(settings);
         // A camera that moves meets little that is new, and looks again in the next frame.
     } while (at_once && ((anew && looks_ < most_looks) || !unfinished_.empty()));
+    // After a change the old light stays until each place has some of the new: a picture that is late by some frames, and
+    // not one that falls dark. Those without samples come first.
+    if (renewing_ && !unfinished_.empty() && corners_[unfinished_.front()].samples == 0) return share_known();
+    renewing_ = false;
     if (facets_.size() != known || paths_ != paths || anew) {
         fill_table();
         ++version_;
     }
+    return share_known();
+}
+
+float FacetCache::share_known() const {
     return corners_.empty() ? 1.0f : 1.0f - static_cast<float>(unfinished_.size()) / static_cast<float>(corners_.size());
 }
 
 void FacetCache::start_anew(const RenderScene& scene, const Facets& settings, std::uint64_t content) {
     content_ = content;
+    renewing_ = table_.slots > 0;
     TransportSettings transport;
     transport.bounces = settings.bounces >= 64 ? TransportSettings::until_converged : static_cast<int>(settings.bounces);
     world_ = std::make_unique<TransportWorld>(scene, transport);
@@ -210,6 +219,8 @@ std::uint32_t FacetCache::corner_of(const Facet& facet, vec2 lattice, Name name,
 void FacetCache::trace(const Facets& settings, const Budget& budget) {
     const auto start = std::chrono::steady_clock::now();
     const auto spent = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
+    // First every place gets something.
+    std::stable_partition(unfinished_.begin(), unfinished_.end(), [&](std::uint32_t corner) { return corners_[corner].samples == 0; });
     while (!unfinished_.empty()) {
         std::size_t batch = unfinished_.size();
         if (budget.seconds > 0.0) {
@@ -238,7 +249,7 @@ void FacetCache::trace(const Facets& settings, const Budget& budget) {
         });
         paths_ += traced;
         if (traced > 0) seconds_per_path_ = (spent() - before) / static_cast<double>(traced.load());
-        // Those that want more come last: first every place gets something.
+        // Those that want more come last.
         std::vector<std::uint32_t> again;
         for (std::size_t i = 0; i < batch; ++i) {
             if (!corners_[unfinished_[i]].done) again.push_back(unfinished_[i]);

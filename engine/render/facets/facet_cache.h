@@ -69,9 +69,11 @@ class FacetCache {
     void trace(const Facets& settings, const Budget& budget);
     void split_where_needed(const Facets& settings);
     void fill_table();
+    float share_known() const;
 
     std::unique_ptr<TransportWorld> world_;
     std::uint64_t content_ = 0;
+    bool renewing_ = false;  ///< the table still holds light from before a change
     std::unordered_map<Name, Facet> facets_;
     std::unordered_map<Name, std::uint32_t> shared_corners_;
     std::vector<Corner> corners_;
