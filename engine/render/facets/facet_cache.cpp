@@ -24,7 +24,7 @@ constexpr std::uint32_t most_depth = 3;
 constexpr float smooth_contrast = 0.25f;
 /// How far a surface may leave its facet's plane, over the facet's side.
 constexpr float most_slope = 0.12f;
-constexpr std::uint32_t first_samples = 64, most_samples = 2048;
+constexpr std::uint32_t first_samples = 16, least_samples = 64, most_samples = 2048;
 constexpr std::uint32_t seed = 1;
 
 float luminance(vec3 colour) { return glm::dot(colour, vec3(0.2126f, 0.7152f, 0.0722f)); }
@@ -126,6 +126,7 @@ void FacetCache::look(const FrameParams& frame, const Facets& settings) {
         const Ray ray{.origin = vec3(frame.camera_position), .direction = view_ray(frame, vec2(2.0f * at.x - 1.0f, 1.0f - 2.0f * at.y)), .nearest = frame.camera_position.w};
         if (const auto hit = world_->scene.intersect_front(ray)) hits[i] = world_->scene.surface_at(*hit);
     });
+    const auto known = static_cast<std::ptrdiff_t>(unfinished_.size());
     for (const auto& point : hits) {
         if (!point) continue;
         const float distance = glm::length(point->position - vec3(frame.camera_position));
@@ -134,6 +135,8 @@ void FacetCache::look(const FrameParams& frame, const Facets& settings) {
         add(*point, near, 0);
         if (far != near) add(*point, far, 0);
     }
+    // All over the picture rather than from its top down: where the time of a frame ends, there is some light everywhere.
+    std::sort(unfinished_.begin() + known, unfinished_.end(), [](std::uint32_t a, std::uint32_t b) { return a * 0x9e3779b1u < b * 0x9e3779b1u; });
 }
 
 void FacetCache::add(const SurfacePoint& point, float level, std::uint32_t depth) {
@@ -245,7 +248,7 @@ void FacetCache::trace(const Facets& settings, const Budget& budget) {
             corner.samples = until;
             const double mean = luminance(corner.irradiance());
             const double error = std::sqrt(std::max(corner.squares / until - mean * mean, 0.0) / until);
-            corner.done = error <= settings.noise * mean || until >= most_samples;
+            corner.done = until >= least_samples && (error <= settings.noise * mean || until >= most_samples);
         });
         paths_ += traced;
         if (traced > 0) seconds_per_path_ = (spent() - before) / static_cast<double>(traced.load());
