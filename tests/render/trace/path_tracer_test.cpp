@@ -73,7 +73,7 @@ MeshData fine_disc() {
 
 TEST(PathTracer, ParallelRectangle) {
     // Lit straight through the receiver, which blocks nothing; and past it, by a light that the receiver would block, so that
-    // paths from the light take part.
+    // paths from the light take part. They add noise here: fewer pixels of more samples.
     for (const bool from_the_side : {false, true}) {
         SceneBuilder builder;
         builder.add({Shape::Kind::quad, vec3(1)}, at(vec3(0, 0.5f, 0), facing_down), vec3(0.5f));
@@ -81,21 +81,21 @@ TEST(PathTracer, ParallelRectangle) {
         const Light light = from_the_side ? sun(vec3(1, 0.3f, 0), true) : sun(vec3(0, 1, 0));
         builder.add(light);
         builder.look(vec3(0, 0.45f, 0), vec3(0, -1, 0), vec3(0, 0, -1), 1.6f);
-        const Film film = trace_film(builder.scene(), {8, 8}, {.bounces = 1, .pixel_area = false}, 16384);
+        const std::uint32_t side = from_the_side ? 4 : 8;
+        const auto film_of = [&](bool light_paths, std::uint32_t samples) {
+            return trace_film(builder.scene(), uvec2(side), {.bounces = 1, .pixel_area = false, .light_paths = light_paths}, samples);
+        };
+        const Film film = film_of(true, 1048576 / (side * side));
         const auto layers = film.layers();
-        double worst = 0.0;
-        for (std::uint32_t y = 0; y < 8; ++y) {
-            for (std::uint32_t x = 0; x < 8; ++x) {
+        for (std::uint32_t y = 0; y < side; ++y) {
+            for (std::uint32_t x = 0; x < side; ++x) {
                 const float* p = layer(layers, "position").image.pixel(x, y);
                 const double truth = 500.0 * light.direction.y * closed_form::parallel(-0.5 - p[0], 0.5 - p[0], -0.5 - p[2], 0.5 - p[2], 0.5 - p[1]);
                 EXPECT_NEAR(layer(layers, "irradiance").image.pixel(x, y)[1], truth, 0.002 * truth) << x << ", " << y;
-                worst = std::max(worst, std::abs(layer(layers, "irradiance").image.pixel(x, y)[1] / truth - 1.0));
             }
         }
-        fmt::print("WORST side {} {}\n", from_the_side, worst);
-        if (!from_the_side) continue;
-        const Film without = trace_film(builder.scene(), {8, 8}, {.bounces = 1, .pixel_area = false, .light_paths = false}, 16384);
-        EXPECT_NE(mean_of(film, "irradiance"), mean_of(without, "irradiance")) << "paths from the light took no part";
+        const bool took_part = mean_of(film_of(true, 64), "irradiance") != mean_of(film_of(false, 64), "irradiance");
+        EXPECT_EQ(took_part, from_the_side);
     }
 }
 
@@ -107,8 +107,7 @@ TEST(PathTracer, DiscOnItsAxis) {
         builder.add(sun(vec3(0, 1, 0)));
         builder.look(vec3(0, 0.09f, 0), vec3(0, -1, 0), vec3(0, 0, -1), 0.001f);
         const double truth = 500.0 * closed_form::disc(1.0, height);
-        const Film film = trace_film(builder.scene(), {4, 4}, {.bounces = 1, .pixel_area = false}, 65536);
-        fmt::print("DISC {} {}\n", height, mean_of(film, "irradiance") / truth - 1.0);
+        const Film film = trace_film(builder.scene(), {2, 2}, {.bounces = 1, .pixel_area = false}, 65536);
         EXPECT_NEAR(mean_of(film, "irradiance"), truth, 0.002 * truth) << "height " << height;
     }
 }
@@ -205,8 +204,9 @@ TEST(PathTracer, WhiteFurnace) {
 }
 
 TEST(PathTracer, WhiteFurnaceOfFiftyReflections) {
-    // At an albedo of 0.98 light is reflected 50 times on average, and what a path brings varies by as much as its mean:
-    // a million of them are known to 0.1 %. Box walls, because twelve triangles are met soonest.
+    // At an albedo of 0.98 light is reflected 50 times on average, and where a path ends is left to chance: what one brings
+    // varies by 0.8 of its mean (measured), so 262,144 of them by 0.15 %, of which three are allowed. A wrong share of what
+    // goes on at each reflection would be multiplied by 50. A box, because twelve triangles are met soonest.
     constexpr double albedo = 0.98;
     MeshData box = make_shape_mesh({Shape::Kind::box, vec3(2)});
     for (Vertex& vertex : box.vertices) vertex.normal = pack_normal(-unpack_normal(vertex.normal));
@@ -216,11 +216,10 @@ TEST(PathTracer, WhiteFurnaceOfFiftyReflections) {
     wall.emission = 3.0f;
     builder.add(box, mat4(1.0f), wall);
     builder.look(vec3(0.1f, 0.2f, 0.3f), vec3(1, 0, 0), vec3(0, 1, 0), 1.0f);
-    const Film film = trace_film(builder.scene(), {8, 8}, {}, 16384);
+    const Film film = trace_film(builder.scene(), {8, 8}, {}, 4096);
     const double radiance = 3.0 / (1.0 - albedo);
-    fmt::print("FURNACE {} {}\n", mean_of(film, "") / radiance - 1, mean_of(film, "irradiance") / radiance / M_PI - 1);
-    EXPECT_NEAR(mean_of(film, ""), radiance, 0.002 * radiance);
-    EXPECT_NEAR(mean_of(film, "irradiance"), M_PI * radiance, 0.002 * M_PI * radiance);
+    EXPECT_NEAR(mean_of(film, ""), radiance, 0.005 * radiance);
+    EXPECT_NEAR(mean_of(film, "irradiance"), M_PI * radiance, 0.005 * M_PI * radiance);
 }
 
 TEST(PathTracer, SkyOnAnOpenPlain) {
