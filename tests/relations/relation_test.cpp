@@ -9,7 +9,7 @@ namespace {
 
 using Kind = RenderScene::Light::Kind;
 
-// Eight scenes per relation and method keep the whole program under half a minute. RapidCheck reads its parameters
+// Eight scenes per relation and method keep the whole program at about a minute. RapidCheck reads its parameters
 // once, when the first property runs; what the caller has set stays.
 const int parameters_set = setenv("RC_PARAMS", "seed=20260101 max_success=8", 0);
 
@@ -83,6 +83,13 @@ Picture Relations::draw(const ScenePlan& plan, const SceneChange& change, const 
 }
 
 TracedMean Relations::trace(const ScenePlan& plan, const SceneChange& change, std::uint32_t samples) const {
+    // Many relations ask for the same unchanged scenes.
+    static std::map<std::string, TracedMean> known;
+    std::ostringstream name;
+    showValue(plan, name);
+    name << samples;
+    const bool unchanged = change.place == mat4(1.0f) && change.scale == 1.0f && change.light == 1.0f && change.channels == uvec3(0, 1, 2);
+    if (const auto found = known.find(name.str()); unchanged && found != known.end()) return found->second;
     SceneBuilder builder;
     build(plan, change, builder);
     glm::dvec3 sum(0.0), squares(0.0);
@@ -97,7 +104,9 @@ TracedMean Relations::trace(const ScenePlan& plan, const SceneChange& change, st
     }
     constexpr double n = TracedMean::seeds;
     const glm::dvec3 variance = glm::max(squares / n - sum * sum / (n * n), glm::dvec3(0.0)) * (n / (n - 1.0));
-    return {.mean = sum / n, .error = glm::sqrt(variance / n)};
+    const TracedMean result{.mean = sum / n, .error = glm::sqrt(variance / n)};
+    if (unchanged) known.emplace(name.str(), result);
+    return result;
 }
 
 LightMethod Relations::finer(std::uint32_t rsm_size) const {
@@ -114,17 +123,34 @@ void Relations::expect_within(const std::string& relation, double measured, doub
 
 void Relations::expect_within_noise(const std::string& relation, const TracedMean& a, const TracedMean& b) const {
     // With 7 + 7 degrees of freedom chance exceeds 6 standard errors once in 30,000 comparisons.
-    // That holds for bell-shaped means; a seed of its own may meet a rare bright path.
+    // That holds for bell-shaped means. With 96 paths a pixel it did not: where things touch, all seeds missed rare bright
+    // paths and agreed on 2 % too little.
     constexpr double most_errors = 6.0;
     for (int c = 0; c < 3; ++c) {
         const double noise = std::hypot(a.error[c], b.error[c]), difference = std::abs(a.mean[c] - b.mean[c]);
         if (b.mean[c] <= 0.0) continue;
         relation_table().worst(relation, method().name, noise / b.mean[c], "noise of ");
+        // Noise would excuse anything if there were enough of it. Measured: 1.3 % at most.
+        if (noise > 0.03 * b.mean[c]) RC_FAIL(fmt::format("{}: noise of {:.3g} is too much to compare means", relation, noise / b.mean[c]));
         // Equal points give equal means up to rounding, and then there is no noise.
         if (difference > most_errors * noise + 1e-5 * b.mean[c]) {
             RC_FAIL(fmt::format("{}: means {} and {} differ by {:.1f} standard errors", relation, a.mean[c], b.mean[c], difference / noise));
         }
     }
+}
+
+void Relations::expect_same_brightness(const std::string& relation, const std::vector<double>& changes) const {
+    // All pixels of rsm_disc share one pattern, so that a whole picture is brighter or darker by chance; a wrong weight
+    // would make every picture brighter. So the average over all scenes is tested against its own standard error.
+    double sum = 0.0, squares = 0.0;
+    for (const double change : changes) {
+        sum += change;
+        squares += change * change;
+    }
+    const auto n = static_cast<double>(changes.size());
+    const double mean = sum / n, error = std::sqrt(std::max(squares / n - mean * mean, 0.0) / (n - 1.0));
+    relation_table().say(relation, method().name, fmt::format("{:+.1f} ± {:.1f} %", 100.0 * mean, 100.0 * error));
+    EXPECT_LT(std::abs(mean), 4.0 * error + 0.005) << relation;
 }
 
 static std::vector<LightMethod> repeatable_methods() {

@@ -36,7 +36,7 @@ class Relations : public GlTest, public testing::WithParamInterface<LightMethod>
     bool is(std::string_view name) const { return method().name == name; }
     Picture draw(const ScenePlan& plan, const SceneChange& change = {}) { return draw(plan, change, method()); }
     Picture draw(const ScenePlan& plan, const SceneChange& change, const LightMethod& with);
-    TracedMean trace(const ScenePlan& plan, const SceneChange& change = {}, std::uint32_t samples = 32) const;
+    TracedMean trace(const ScenePlan& plan, const SceneChange& change = {}, std::uint32_t samples = 384) const;
 
     /// Checks a property of many random plans. The seed is fixed, so that a run does not depend on luck; look for more
     /// with RC_PARAMS="seed=1 max_success=500".
@@ -51,6 +51,9 @@ class Relations : public GlTest, public testing::WithParamInterface<LightMethod>
     void expect_within(const std::string& relation, double deviation, double bound) const;
     /// Requires that two of the path tracer's means agree within their noise.
     void expect_within_noise(const std::string& relation, const TracedMean& a, const TracedMean& b) const;
+    /// Requires that changes of a picture's mean brightness, one per scene, are none on average, within four standard
+    /// errors and half a percent.
+    void expect_same_brightness(const std::string& relation, const std::vector<double>& changes) const;
 };
 
 }  // namespace sl

@@ -19,18 +19,30 @@ class SceneBuilder {
     /// Any mesh of any material.
     void add(MeshData mesh, const mat4& place, const Material& material) {
         RenderScene::Draw draw;
-        // Two builders' meshes have the same handles; a renderer that draws both must not take one for the other.
-        static std::uint32_t meshes_made = 0;
-        const std::uint32_t version = mesh.version = ++meshes_made;
-        draw.mesh = meshes_.insert(std::move(mesh));
-        draw.world_from_local = place;
+        draw.mesh = meshes_.insert({});
         draw.first_material = static_cast<std::uint32_t>(scene_.materials.size());
-        draw.bounds = transformed(meshes_.at(draw.mesh).bounds, place);
-        draw.content = hash_bytes(hash_bytes(hash_mix(scene_.draws.size() + 1, version), &place, sizeof place), &material.base_colour, sizeof(vec3));
         scene_.materials.push_back({material, -1});
         scene_.materials_hash = hash_bytes(scene_.materials_hash, &material.base_colour, sizeof(vec3));
-        scene_.bounds.add(draw.bounds);
         scene_.draws.push_back(draw);
+        replace(scene_.draws.size() - 1, std::move(mesh), place);
+    }
+    /// Another mesh, or another place, in a draw that is there.
+    void replace(std::size_t number, MeshData mesh, const mat4& place) {
+        // Two builders' meshes have the same handles; a renderer that draws both must not take one for the other.
+        static std::uint32_t meshes_made = 0;
+        mesh.version = ++meshes_made;
+        meshes_.at(scene_.draws[number].mesh) = std::move(mesh);
+        move(number, place);
+    }
+    void move(std::size_t number, const mat4& place) {
+        RenderScene::Draw& draw = scene_.draws[number];
+        const MeshData& mesh = meshes_.at(draw.mesh);
+        draw.world_from_local = place;
+        draw.bounds = transformed(mesh.bounds, place);
+        const vec3 colour = scene_.materials[draw.first_material].material.base_colour;
+        draw.content = hash_bytes(hash_bytes(hash_mix(number + 1, mesh.version), &place, sizeof place), &colour, sizeof colour);
+        scene_.bounds = {};
+        for (const RenderScene::Draw& each : scene_.draws) scene_.bounds.add(each.bounds);
     }
     void add(const RenderScene::Light& light) { scene_.lights.push_back(light); }
     void look(vec3 from, vec3 forward, vec3 up, float fov_y) {
