@@ -248,7 +248,9 @@ void FacetCache::trace(const Facets& settings, const Budget& budget) {
             corner.samples = until;
             const double mean = luminance(corner.irradiance());
             const double error = std::sqrt(std::max(corner.squares / until - mean * mean, 0.0) / until);
-            corner.done = until >= least_samples && (error <= settings.noise * mean || until >= most_samples);
+            // Where nothing arrived at all, its spread tells nothing either.
+            const std::uint32_t least = mean > 0.0 ? least_samples : 4 * least_samples;
+            corner.done = until >= least && (error <= settings.noise * mean || until >= most_samples);
         });
         paths_ += traced;
         if (traced > 0) seconds_per_path_ = (spent() - before) / static_cast<double>(traced.load());

@@ -40,6 +40,9 @@ void learn_light_paths(TransportWorld& world, std::size_t places, const std::fun
     if (places == 0) return;
     const Bounds bounds = world.scene.bounds();
     const auto paths = static_cast<std::uint32_t>(std::clamp(paths_per_run / places, std::size_t{1}, most_paths_per_place));
+    std::vector<char> which = world.casts;
+    for (std::size_t i = 0; i < which.size(); ++i) which[i] = which[i] != 0 && (world.settings.occlusion || world.bounces[i] != 0) ? 1 : 0;
+    world.light_paths = LightPaths::everywhere(world.lights, bounds, which);
     for (std::uint32_t run = 0; run < runs; ++run) {
         std::vector<std::vector<LitPoint>> found(places);
         tbb::parallel_for(std::size_t{0}, places, [&](std::size_t place) {

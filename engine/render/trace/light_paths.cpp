@@ -74,6 +74,33 @@ LightPaths::LightPaths(std::span<const LightParams> lights, const Bounds& bounds
     }
 }
 
+LightPaths LightPaths::everywhere(std::span<const LightParams> lights, const Bounds& bounds, const std::vector<char>& which) {
+    LightPaths paths;
+    if (bounds.empty()) return paths;
+    const auto count = static_cast<float>(std::ranges::count_if(which, [](char one) { return one != 0; }));
+    for (std::uint32_t i = 0; i < lights.size(); ++i) {
+        if (which[i] == 0) continue;
+        Source source = source_of(i, lights[i], bounds);
+        if (source.parallel) {
+            source.low = vec2(std::numeric_limits<float>::max());
+            vec2 high(std::numeric_limits<float>::lowest());
+            for (int corner = 0; corner < 8; ++corner) {
+                const vec2 at = source.coordinates(vec3(corner & 1 ? bounds.high.x : bounds.low.x, corner & 2 ? bounds.high.y : bounds.low.y, corner & 4 ? bounds.high.z : bounds.low.z));
+                source.low = glm::min(source.low, at);
+                high = glm::max(high, at);
+            }
+            source.size = glm::max(high - source.low, 1e-30f);
+        } else {
+            // The ramp at a spot's edge ends where cone.y = cone.x · (1 - cos).
+            source.size = vec2(lights[i].kind.x == light_spot ? std::min(lights[i].cone.y / lights[i].cone.x, 2.0f) : 2.0f, 1.0f);
+        }
+        source.share = 1.0f / count;
+        source.before = static_cast<float>(paths.sources_.size()) / count;
+        paths.sources_.push_back(std::move(source));
+    }
+    return paths;
+}
+
 LightPaths::Drawn LightPaths::sample(vec2 xi) const {
     const auto after = std::upper_bound(sources_.begin(), sources_.end(), xi.x, [](float x, const Source& source) { return x < source.before; });
     const Source& source = *(after - 1);

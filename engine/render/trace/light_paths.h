@@ -24,6 +24,9 @@ class LightPaths {
     /// `bounds` of everything that may stand in the way.
     LightPaths(std::span<const LightParams> lights, const Bounds& bounds, std::span<const LitPoint> found);
 
+    /// Rays all over what each of some lights shines on, which is where a search begins.
+    static LightPaths everywhere(std::span<const LightParams> lights, const Bounds& bounds, const std::vector<char>& which);
+
     /// No ray can be drawn: nothing lit was found.
     bool empty() const { return sources_.empty(); }
 
