@@ -209,22 +209,23 @@ class ViewBench {
     /// All candidates take turns, so that a busy moment hits all alike.
     void time_candidates() {
         std::vector<std::unique_ptr<BenchSide>> sides;
-        std::vector<bool> slow;
+        std::vector<bool> slow, slow_anew;
         for (const BenchCandidate& candidate : plan_.candidates) {
             sides.push_back(std::make_unique<BenchSide>(open_scene(choice_of(scene_, candidate))));
-            const double milliseconds = sides.back()->draw(plan_.size, 0, false);  // warm-up: shaders, maps, textures
-            slow.push_back(milliseconds > 1000.0 * plan_.longest_repeated);
+            const double most = 1000.0 * plan_.longest_repeated;
+            slow_anew.push_back(sides.back()->draw(plan_.size, 0, false) > most);  // warm-up: shaders, maps, textures, facets
+            slow.push_back(slow_anew.back() && sides.back()->draw(plan_.size, 1, false) > most);
         }
         for (std::uint32_t round = 0; round < plan_.rounds; ++round) {
             for (std::size_t i = 0; i < sides.size(); ++i) {
-                if (round == 0 || !slow[i]) sides[i]->measure(plan_.size, round + 1);
+                if (round == 0 || !slow[i]) sides[i]->measure(plan_.size, round + 2);
                 tell(0.75 + 0.25 * static_cast<double>(round * sides.size() + i + 1) / static_cast<double>(plan_.rounds * sides.size()), "times");
             }
         }
         const std::uint32_t anew = std::min(rounds_lit_anew, plan_.rounds);
         for (std::uint32_t round = 0; round < anew; ++round) {
             for (std::size_t i = 0; i < sides.size(); ++i) {
-                if (round == 0 || !slow[i]) sides[i]->measure_anew(plan_.size, 2 * (plan_.rounds + round + 1));
+                if (round == 0 || !slow_anew[i]) sides[i]->measure_anew(plan_.size, 2 * (plan_.rounds + round + 2));
             }
         }
         for (std::size_t i = 0; i < sides.size(); ++i) {

@@ -31,11 +31,15 @@ int frame_count() {
 
 /// Keeps a frame's work small; the settings themselves stay random. A few frames of a few pixels are not bounded.
 void bound_cost(GiMethod& method) {
-    if (auto* exact = std::get_if<RsmExact>(&method)) exact->rsm_size = std::min(exact->rsm_size, 24u);
-    if (auto* grid = std::get_if<RsmGrid>(&method)) grid->rsm_size = std::min(grid->rsm_size, 24u);
+    if (auto* exact = std::get_if<RsmExact>(&method)) exact->rsm_size = std::min(exact->rsm_size, 64u);
+    if (auto* grid = std::get_if<RsmGrid>(&method)) grid->rsm_size = std::min(grid->rsm_size, 64u);
     if (auto* disc = std::get_if<RsmDisc>(&method)) {
-        disc->rsm_size = std::min(disc->rsm_size, 128u);
-        disc->samples = std::min(disc->samples, 64u);
+        disc->rsm_size = std::min(disc->rsm_size, 256u);
+        disc->samples = std::min(disc->samples, 512u);
+    }
+    if (auto* facets = std::get_if<Facets>(&method)) {
+        facets->spacing = std::max(facets->spacing, 4.0f);
+        facets->noise = std::max(facets->noise, 0.2f);
     }
 }
 
@@ -69,7 +73,7 @@ TEST(RandomFrames, NeverBreak) {
         Renderer renderer(shader_folder());
         RandomFields random(20260101);
         std::vector<App> worlds;
-        for (const char* scene : {"outdoor", "indoor", "cornell", "plates", "empty"}) worlds.push_back(open_scene({.scene = scene}));
+        for (const char* scene : {"outdoor", "indoor", "hills", "night", "cornell", "plates", "empty"}) worlds.push_back(open_scene({.scene = scene}));
         // Many lights: maps and texels of all together must still fit.
         worlds.push_back(open_scene({.scene = "cornell"}));
         for (int lamp = 0; lamp < 6; ++lamp) worlds.back().world.create(SpotLight{}, Transform{.translation = {0.2 * lamp - 0.5, 1.5, 0.0}});

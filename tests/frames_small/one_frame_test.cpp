@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// One small whole frame of each method, quick enough to run under the sanitizers: extraction, passes, gathers and reading back.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/render/capture.h"
+#include "engine/render/gl/context.h"
+#include "game/session.h"
+
+namespace sl {
+namespace {
+
+class OneFrame : public testing::TestWithParam<std::string_view> {};
+
+TEST_P(OneFrame, IsFiniteAndLit) {
+    auto context = gl::create_context(gl::ContextKind::egl);
+    {
+        Renderer renderer(shader_folder());
+        const std::string method(GetParam());
+        std::vector<std::string> sets;
+        if (method == "rsm_exact") sets = {"gi.rsm_size=16"};
+        if (method == "rsm_grid") sets = {"gi.rsm_size=16"};
+        App app = open_scene({.scene = "cornell", .gi = method, .sets = sets});
+        const Capture captured = capture(app, renderer, {.width = 32, .height = 18, .layers = true});
+        double irradiance = 0.0;
+        for (const ImageLayer& layer : captured.layers) {
+            for (const float value : layer.image.data) {
+                ASSERT_TRUE(std::isfinite(value)) << layer.name;
+                if (layer.name == "irradiance") irradiance += value;
+            }
+        }
+        EXPECT_EQ(irradiance > 0.0, method != "off");
+    }
+    EXPECT_TRUE(context->errors().empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, OneFrame, testing::ValuesIn(gi_method_names().begin(), gi_method_names().end()), [](const auto& method) { return std::string(method.param); });
+
+}  // namespace
+}  // namespace sl
