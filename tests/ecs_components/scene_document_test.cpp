@@ -22,7 +22,7 @@ TEST_F(SceneDocuments, ErrorsSayWhatIsWrong) {
     EXPECT_EQ(
         error_of_entities(R"([{"name": "a", "gi": {"method": "rsm_disk"}}])"),
         "s.json: /entities/0/gi/method: there is no choice 'rsm_disk'; did you mean 'rsm_disc'? Known: off, "
-        "rsm_exact, rsm_grid, rsm_disc");
+        "rsm_exact, rsm_grid, rsm_disc, facets");
     EXPECT_EQ(error_of_entities(R"([{"name": "a"}, {"name": "a"}])"),
               "s.json: /entities/1/name: there are two entities called 'a'");
     EXPECT_EQ(error_of_entities(R"([{"name": "a", "parent": "house"}])"),
