@@ -73,12 +73,19 @@ class Game:
         self.xdotool("key", "o")
         self.wait("O switches indirect light", lambda: self.log().count("GI: ") > before)
 
-    def next_method(self, times=1):
-        """G; the next one only when the log tells of the last, for two taps within one frame are one."""
-        for _ in range(times):
+    def methods(self):
+        """Names of all GI methods, in the order of G."""
+        return [line.split()[0] for line in run(self.program, "list", "methods").stdout.splitlines() if line[:1].isalpha()]
+
+    def switch_to(self, method):
+        """G until the log tells of `method`; each only when the last was told, for two taps within one frame are one."""
+        for _ in self.methods():
             before = self.log().count("GI: ")
             self.xdotool("key", "g")
             self.wait("G changes the method", lambda: self.log().count("GI: ") > before)
+            if self.log().rpartition("GI: ")[2].split()[0] == method:
+                return
+        raise AssertionError(f"G does not lead to {method}")
 
     def wait(self, sentence, condition, patience=PATIENCE):
         end = time.monotonic() + patience

@@ -36,8 +36,9 @@ def play_cornell(screen, program, folder):
                        lambda p: brightness(p, picture) < 0.9 * brightness(lit, picture))
         game.xdotool("key", "o")
         game.shot_when("gi_on", "O brings the light back", lambda p: difference(lit, p, picture) < 0.01)
-        game.next_method(4)
-        game.shot_when("methods_round", "four times G comes back to the first method",
+        game.switch_to("facets")
+        game.switch_to("rsm_disc")
+        game.shot_when("methods_round", "G goes round all methods and comes back to the first",
                        lambda p: difference(lit, p, picture) < 0.01)
 
         game.xdotool("key", "F12")
@@ -145,13 +146,13 @@ def play_broken_shaders(screen, program, folder):
         good = gather.read_text()
         gather.write_text("#error broken")
         time.sleep(1.0)
-        game.next_method(3)  # off, rsm_exact, rsm_grid
+        game.switch_to("rsm_grid")
         game.shot_when("never_good", "a shader that was never good gives no picture",
                        lambda p: brightness(p, "200x60+300+60") == 0.0)
-        game.next_method()
+        game.switch_to("rsm_disc")
         game.shot_when("other_method", "another method gives one again",
                        lambda p: difference(lit, p, picture) < 0.01)
-        game.next_method(3)
+        game.switch_to("rsm_grid")
         gather.write_text(good)
         game.shot_when("mended_again", "mended, it gives one too", lambda p: brightness(p, "200x60+300+60") > 0.02)
         game.xdotool("windowfocus", game.window)
