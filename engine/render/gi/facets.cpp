@@ -30,7 +30,7 @@ GiResult indirect_light(const FrameInput& frame, const GBuffer& gbuffer, const F
     }
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     FacetParams params{};
-    params.grid = vec4(settings.spacing * 2.0f * glm::length(vec3(frame.params.ray_up)) / frame.params.ray_up.w, table.unit, settings.strength, 0.0f);
+    params.grid = vec4(facet_side_over_distance(frame.params, settings), table.unit, settings.strength, 0.0f);
     params.table = uvec4(table.slots - 1, table.longest_search, 0, 0);
     auto pass = frame.graph.fullscreen("facets", "gi/facets.frag");
     pass.params("Frame", frame.params)

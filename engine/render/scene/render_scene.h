@@ -47,6 +47,8 @@ struct RenderScene {
         bool bounces = false;
         std::uint32_t shadow_size = 1024;
         float shadow_distance = 100.0f;  ///< m, directional
+
+        bool operator==(const Light&) const = default;
     };
 
     dvec3 origin{0.0};

@@ -53,4 +53,23 @@ float Emitters::density(const TriangleHit& hit) const {
     return found != densities_.end() ? found->second : 0.0f;
 }
 
+std::optional<EmitterPath> Emitters::path_from(const TraceScene& scene, const SurfacePoint& point, vec2 xi) const {
+    const EmitterSample drawn = sample(xi);
+    const SurfacePoint emitter = scene.surface_at(drawn.hit);
+    const vec3 origin = point.origin_towards(drawn.position - point.position);
+    const vec3 offset = emitter.position - origin;
+    const float distance_squared = glm::dot(offset, offset);
+    if (distance_squared <= 0.0f) return std::nullopt;
+    const vec3 direction = offset / std::sqrt(distance_squared);
+    const float cos_emitter = -glm::dot(direction, emitter.face);
+    if (cos_emitter <= 0.0f || glm::dot(direction, point.normal()) <= 0.0f) return std::nullopt;
+    return EmitterPath{.direction = direction, .radiance = emitter.emission, .density = drawn.density * distance_squared / cos_emitter,
+                       .ray = {.origin = origin, .direction = emitter.origin_towards(-direction) - origin, .farthest = 1.0f}};
+}
+
+float Emitters::path_density(const TriangleHit& hit, const SurfacePoint& point, vec3 direction) const {
+    const float cos_emitter = -glm::dot(direction, point.face);
+    return cos_emitter > 0.0f ? density(hit) * hit.distance * hit.distance / cos_emitter : 0.0f;
+}
+
 }  // namespace sl

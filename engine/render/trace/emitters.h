@@ -14,6 +14,14 @@ struct EmitterSample {
     float density = 0.0f;  ///< per m²
 };
 
+/// A straight way from a surface point to a glowing one.
+struct EmitterPath {
+    vec3 direction;     ///< unit, from the surface
+    vec3 radiance;      ///< nit, that leaves the emitter this way
+    float density = 0;  ///< per sr
+    Ray ray;            ///< what it meets is in the way
+};
+
 /// All glowing triangles of a scene. Triangles are drawn in proportion to area times radiance (without textures).
 class Emitters {
   public:
@@ -24,6 +32,11 @@ class Emitters {
     EmitterSample sample(vec2 xi) const;
     /// Density, per m², with which `sample` draws a point of this triangle; 0 for one that does not glow.
     float density(const TriangleHit& hit) const;
+
+    /// A way to a drawn point, blocked or not; none where it faces away or lies behind the surface. Not when empty.
+    std::optional<EmitterPath> path_from(const TraceScene& scene, const SurfacePoint& point, vec2 xi) const;
+    /// Density, per sr, with which `path_from` takes the way along which a ray of unit direction met `point`.
+    float path_density(const TriangleHit& hit, const SurfacePoint& point, vec3 direction) const;
 
   private:
     struct Glowing {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "engine/render/scene/light_map.h"
+#include "engine/render/trace/direct_light.h"
 #include "engine/render/trace/directions.h"
 
 namespace sl {
@@ -134,13 +134,7 @@ class Walk {
         const Candidate& candidate = weights_[chosen];
         const float share = luminance(candidate.light) / total;
         if (share <= 0.0f) return {};
-        if (world_.casts[chosen] != 0) {
-            const bool endless = world_.lights[chosen].kind.x == light_directional;
-            const vec3 origin = vertex.point.origin_towards(candidate.to_light);
-            // To the light itself, not along the direction that the surface had: in a corner the two differ.
-            const vec3 direction = endless ? candidate.to_light : vec3(world_.lights[chosen].position) - origin;
-            if (occluded({.origin = origin, .direction = direction, .farthest = endless ? std::numeric_limits<float>::infinity() : 1.0f})) return {};
-        }
+        if (world_.casts[chosen] != 0 && occluded(shadow_ray(world_.lights[chosen], vertex.point))) return {};
         float weight = 1.0f / share;
         if (arrival != nullptr && !world_.light_paths.empty()) {
             const vec3 offset = vertex.point.position - arrival->from;
@@ -190,22 +184,13 @@ class Walk {
 
     Arriving lit_by_emitters(const PathVertex& vertex) {
         if (world_.emitters.empty()) return {};
-        const EmitterSample drawn = world_.emitters.sample(samples_.pair());
-        const SurfacePoint emitter = world_.scene.surface_at(drawn.hit);
-        const vec3 origin = vertex.point.origin_towards(drawn.position - vertex.point.position);
-        const vec3 offset = emitter.position - origin;
-        const float distance_squared = glm::dot(offset, offset);
-        if (distance_squared <= 0.0f) return {};
-        const vec3 direction = offset / std::sqrt(distance_squared);
-        const float cos_emitter = -glm::dot(direction, emitter.face);
-        const float cos_surface = glm::dot(direction, vertex.point.normal());
-        if (cos_emitter <= 0.0f || cos_surface <= 0.0f) return {};
-        const float density = drawn.density * distance_squared / cos_emitter;
-        const float other = vertex.lobes.density(direction);
-        const float weight = density / (density * density + other * other);  // the power heuristic's weight over density
-        const vec3 target = emitter.origin_towards(-direction);
-        if (!(weight > 0.0f) || occluded({.origin = origin, .direction = target - origin, .farthest = 1.0f})) return {};
-        return {.reflected = vertex.reflects(direction) * emitter.emission * weight, .irradiance = emitter.emission * (cos_surface * weight)};
+        const auto path = world_.emitters.path_from(world_.scene, vertex.point, samples_.pair());
+        if (!path) return {};
+        const float other = vertex.lobes.density(path->direction);
+        const float weight = path->density / (path->density * path->density + other * other);  // the power heuristic's weight over density
+        if (!(weight > 0.0f) || occluded(path->ray)) return {};
+        const float cos_surface = glm::dot(path->direction, vertex.point.normal());
+        return {.reflected = vertex.reflects(path->direction) * path->radiance * weight, .irradiance = path->radiance * (cos_surface * weight)};
     }
 
     /// A scattered ray from the first surface, followed to its end.
@@ -228,8 +213,7 @@ class Walk {
             if (!hit->front) return;  // backs are black
             const SurfacePoint point = world_.scene.surface_at(*hit);
             if (point.emission != vec3(0.0f)) {
-                const float cos_emitter = -glm::dot(ray.direction, point.face);
-                const float other = cos_emitter > 0.0f ? world_.emitters.density(*hit) * hit->distance * hit->distance / cos_emitter : 0.0f;
+                const float other = world_.emitters.path_density(*hit, point, ray.direction);
                 add(out_.irradiance_emission, radiance, carried * point.emission * (density * density / (density * density + other * other)));
             }
             const int bounces = world_.settings.bounces;
@@ -302,15 +286,6 @@ class Walk {
 thread_local std::vector<Walk::Candidate> Walk::weights_;
 
 }  // namespace
-
-TransportWorld::TransportWorld(const RenderScene& render_scene, const TransportSettings& transport)
-    : scene(render_scene), emitters(scene), lights(build_light_table(render_scene).params), sky(render_scene.sky_radiance), settings(transport) {
-    for (const RenderScene::Light& light : render_scene.lights) {
-        // Point lights have no shadow setting: nothing shines through walls.
-        casts.push_back(light.casts_shadow || light.kind == RenderScene::Light::Kind::point);
-        bounces.push_back(light.bounces);
-    }
-}
 
 void walk_path(const TransportWorld& world, const SurfacePoint& point, vec3 to_eye, SampleSequence samples, PathSample& out, const PathRecord& record) {
     Walk(world, samples, out, record.rays, record.lit).from(point, to_eye);

@@ -1,0 +1,371 @@
+// SPDX-License-Identifier: MIT
+#include "engine/render/facets/patches.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/render/facets/facet_corner.h"
+#include "engine/render/trace/direct_light.h"
+#include "engine/render/trace/directions.h"
+#include "engine/render/trace/samples.h"
+#include "shared/facets.h"
+
+namespace sl {
+
+namespace {
+
+/// Side of a patch over its distance from the point that sees it.
+constexpr float side_over_distance = 0.25f;
+constexpr std::uint32_t links_of_a_patch = 32;
+/// Strata, per side, in which a patch's direct light is sampled: of one that is lit evenly, and of one with a shadow's edge.
+constexpr std::uint32_t few_strata = 4, many_strata = 8;
+/// Samples that differ by more than this share of their mean are uneven.
+constexpr float even = 0.25f;
+/// Farther apart in one cell, surfaces are other patches: normals, and heights over the side.
+constexpr float least_cosine = 0.9f, most_height = 0.2f;
+constexpr int most_in_a_cell = 4;
+constexpr float halvings = 8.0f;
+/// A patch is worth rays of its own where it is brighter than the mean of all that is seen by this factor.
+constexpr float worth_a_ray = 2.0f;
+constexpr std::size_t most_targets = 24;
+/// Radius of what sky is seen through, over its distance.
+constexpr float size_of_an_opening = 0.12f;
+
+float luminance(vec3 colour) { return glm::dot(colour, vec3(0.2126f, 0.7152f, 0.0722f)); }
+
+/// What a surface gives back diffusely, its specular lobe spread over all directions.
+vec3 albedo_of(const Surface& surface) {
+    const float metallic = surface.normal.w;
+    const vec3 base(surface.base_colour);
+    const vec3 coat = base * metallic + vec3(0.04f * surface.specular.x) * (1.0f - metallic);
+    return base * (1.0f - metallic) * (1.0f - 0.04f * surface.specular.x) + coat;
+}
+
+}  // namespace
+
+Patches::Patches(const TransportWorld& world) : world_(world) {
+    const Bounds bounds = world.scene.bounds();
+    coarsest_ = facet_level(glm::length(bounds.high - bounds.low), 1.0f / 16.0f);
+}
+
+Patches::Met Patches::by_chance(const Job& job, std::uint32_t number) const {
+    SampleSequence samples(1, uvec2(job.seed, 0), number);
+    GatherPoint& from = *job.point;
+    const auto start = [&]() -> const SurfacePoint& {
+        if (job.patch == nothing) return from.point;
+        const std::vector<Sample>& starts = patches_[job.patch].samples;
+        return starts.empty() ? from.point : starts[number * starts.size() / links_of_a_patch % starts.size()].point;
+    };
+    const SurfacePoint& point = start();
+    const vec3 direction = basis_around(point.normal()) * cosine_direction(samples.pair());
+    // Straight light of glowing surfaces: by the ray itself and by one towards them (Veach & Guibas 1995).
+    vec3 glow(0.0f);
+    if (!world_.emitters.empty()) {
+        if (const auto path = world_.emitters.path_from(world_.scene, point, samples.pair())) {
+            const float cosine = glm::dot(path->direction, point.normal()), other = cosine / pi;
+            const float weight = path->density / (path->density * path->density + other * other);
+            if (weight > 0.0f && !world_.scene.occluded(path->ray)) glow += path->radiance * (cosine * weight);
+        }
+    }
+    const Met met = follow(from, point, direction, &glow);
+    from.glow += glow;
+    from.glow_squares += luminance(glow) * luminance(glow);
+    return met;
+}
+
+Patches::Met Patches::guided(const GatherPoint& from, std::uint32_t number) const {
+    SampleSequence samples(3, uvec2(0), number);
+    const vec2 xi = samples.pair();
+    const vec3 direction = from.guide->sample(from.point.position, xi, samples.pair().x);
+    if (!(glm::dot(direction, from.point.normal()) > 0.0f)) return {};
+    return follow(from, from.point, direction, nullptr);
+}
+
+Patches::Met Patches::follow(const GatherPoint& from, const SurfacePoint& start, vec3 direction, vec3* glow) const {
+    Met met;
+    const float density = std::max(glm::dot(direction, start.normal()), 0.0f) / pi;
+    if (from.guide != nullptr && density > 0.0f) met.guided = from.guide->density(start.position, direction) / density;
+    const auto hit = world_.scene.intersect({.origin = start.origin_towards(direction), .direction = direction});
+    if (!hit) {
+        met.patch = sky;
+        return met;
+    }
+    met.distance = hit->distance;
+    if (!hit->front) return met;  // backs are black
+    met.surface = true;
+    met.point = world_.scene.surface_at(*hit);
+    if (glow != nullptr && met.point.emission != vec3(0.0f)) {
+        const float other = world_.emitters.path_density(*hit, met.point, direction);
+        *glow += pi * met.point.emission * (density * density / (density * density + other * other));
+    }
+    met.level = std::max(facet_level(hit->distance, side_over_distance), from.level);
+    met.patch = find(met.point, met.level);
+    return met;
+}
+
+Guide Patches::guide_for(std::span<const Job> points) const {
+    const float from_sky = luminance(pi * world_.sky);
+    float total = 0.0f, rays = 0.0f;
+    const auto brings = [&](const Link& link) { return link.patch == sky ? from_sky : link.patch == nothing ? 0.0f : luminance(radiosity_[link.patch]); };
+    for (const Job& job : points) {
+        for (const Link& link : job.point->links) total += brings(link);
+        rays += static_cast<float>(job.point->links.size());
+    }
+    Guide guide;
+    for (const Job& job : points) {
+        const std::vector<Link>& links = job.point->links;
+        for (std::uint32_t i = 0; i < links.size(); ++i) {
+            const float light = brings(links[i]);
+            if (!(light > worth_a_ray * total / rays)) continue;
+            if (links[i].patch != sky) {
+                const Patch& patch = patches_[links[i].patch];
+                guide.add(patch.bright_place, patch.bright_radius, light);
+                continue;
+            }
+            // Sky is seen past something, and taken to be an opening at the distance of what was met right beside it.
+            const vec3 direction = direction_by_chance(job, i);
+            float nearest = 4.0f, distance = 0.0f;
+            for (std::uint32_t k = 0; k < links.size(); ++k) {
+                if (links[k].distance <= 0.0f) continue;
+                const vec3 apart = direction_by_chance(job, k) - direction;
+                if (glm::dot(apart, apart) < nearest) {
+                    nearest = glm::dot(apart, apart);
+                    distance = links[k].distance;
+                }
+            }
+            if (distance > 0.0f) guide.add(job.point->point.position + distance * direction, size_of_an_opening * distance, light);
+        }
+    }
+    guide.finish(most_targets);
+    return guide;
+}
+
+vec3 Patches::direction_by_chance(const Job& job, std::uint32_t number) {
+    return basis_around(job.point->point.normal()) * cosine_direction(SampleSequence(1, uvec2(job.seed, 0), number).pair());
+}
+
+bool Patches::belongs(const SurfacePoint& point, const Patch& patch) const {
+    const SurfacePoint& middle = patch.middle.point;
+    if (glm::dot(point.face, middle.face) < least_cosine) return false;
+    const vec3 offset = middle.position - point.position;
+    if (std::abs(glm::dot(offset, middle.face)) > most_height * patch.side) return false;
+    // Close to the surface, so that low things part patches as well as walls do.
+    const vec3 from = point.position + point.face * (0.02f * patch.side + point.error);
+    const vec3 to = middle.position + middle.face * (0.02f * patch.side + middle.error);
+    return !world_.scene.occluded({.origin = from, .direction = to - from, .farthest = 1.0f});
+}
+
+std::uint32_t Patches::find(const SurfacePoint& point, float level) const {
+    for (float finer = 0.0f; finer <= halvings; ++finer) {
+        const auto first = first_.find(facet_name(facet_cell(point.position, point.normal(), level - finer)));
+        if (first == first_.end()) return nothing;
+        int count = 0;
+        for (std::uint32_t id = first->second; id != nothing; id = patches_[id].next, ++count) {
+            if (belongs(point, patches_[id])) return id;
+        }
+        // Where a cell's surfaces do not see each other, smaller ones do.
+        if (count < most_in_a_cell) return nothing;
+    }
+    return nothing;
+}
+
+std::uint32_t Patches::add(const SurfacePoint& point, float level, bool sharp) {
+    const auto in_cell = [&](FacetName name) {
+        const auto first = first_.find(name);
+        int count = 0;
+        if (first != first_.end()) for (std::uint32_t id = first->second; id != nothing; id = patches_[id].next) ++count;
+        return count;
+    };
+    FacetName name = facet_name(facet_cell(point.position, point.normal(), level));
+    for (float finer = 1.0f; finer <= halvings && in_cell(name) >= most_in_a_cell; ++finer) {
+        --level;
+        name = facet_name(facet_cell(point.position, point.normal(), level));
+    }
+    const auto id = static_cast<std::uint32_t>(patches_.size());
+    Patch& patch = patches_.emplace_back();
+    patch.middle.point = point;
+    // What patches see is told apart less finely from one to the next; else one small patch would ask for such ones all over.
+    patch.middle.level = sharp ? level : std::min(level + 1.0f, std::max(level, coarsest_));
+    patch.cell = name;
+    patch.level = level;
+    patch.side = std::exp2(level);
+    const auto [first, fresh] = first_.try_emplace(name, id);
+    if (!fresh) patch.next = std::exchange(first->second, id);
+    patch.waiting = true;
+    waiting_.push_back(id);
+    radiosity_.push_back(vec3(0.0f));
+    return id;
+}
+
+void Patches::spread_samples(Patch& patch, std::uint32_t strata) const {
+    const SurfacePoint& middle = patch.middle.point;
+    const vec2 within(facet_cell(middle.position, middle.normal(), patch.level).within);
+    patch.strata = strata;
+    patch.samples.clear();
+    for (std::uint32_t i = 0; i < strata * strata; ++i) {
+        const vec2 xi = SampleSequence(2, uvec2(static_cast<std::uint32_t>(patch.cell), strata), i).pair();
+        const vec3 place = along_surface(middle, patch.level, (vec2(i % strata, i / strata) + xi) / static_cast<float>(strata) - within);
+        const float height = most_height * patch.side + middle.error;
+        const auto hit = world_.scene.intersect({.origin = place + height * middle.face, .direction = -middle.face, .farthest = 2.0f * height});
+        if (!hit || !hit->front) continue;
+        const SurfacePoint point = world_.scene.surface_at(*hit);
+        if (belongs(point, patch)) patch.samples.push_back({.point = point});
+    }
+    if (patch.samples.empty()) patch.samples.push_back({.point = middle});
+}
+
+void Patches::link(std::span<const Job> jobs) {
+    std::vector<std::size_t> first(jobs.size() + 1, 0);
+    const auto by_chance_of = [&](const Job& job) { return std::max(job.by_chance, job.point->by_chance) - job.point->by_chance; };
+    const auto guided_of = [&](const Job& job) { return job.point->guide != nullptr && !job.point->guide->empty() ? by_chance_of(job) / 2 : 0; };
+    for (std::size_t i = 0; i < jobs.size(); ++i) first[i + 1] = first[i] + by_chance_of(jobs[i]) + guided_of(jobs[i]);
+    std::vector<Met> all(first.back());
+    tbb::parallel_for(std::size_t{0}, jobs.size(), [&](std::size_t i) {
+        const Job& job = jobs[i];
+        GatherPoint& point = *job.point;
+        std::size_t at = first[i];
+        const std::uint32_t guided_rays = guided_of(job), had = static_cast<std::uint32_t>(point.links.size()) - point.by_chance;
+        for (std::uint32_t number = point.by_chance; number < job.by_chance; ++number) all[at++] = by_chance(job, number);
+        for (std::uint32_t number = had; number < had + guided_rays; ++number) all[at++] = guided(point, number);
+    });
+    // One after the other, so that the same rays make the same patches on any number of threads.
+    for (std::size_t i = 0; i < jobs.size(); ++i) {
+        for (std::size_t k = first[i]; k < first[i + 1]; ++k) {
+            Met& met = all[k];
+            if (met.surface) {
+                if (met.patch == nothing) met.patch = find(met.point, met.level);
+                if (met.patch == nothing) met.patch = add(met.point, met.level, jobs[i].patch == nothing);
+            }
+            jobs[i].point->links.push_back({met.patch, met.guided, met.distance});
+        }
+        jobs[i].point->by_chance = std::max(jobs[i].by_chance, jobs[i].point->by_chance);
+    }
+}
+
+bool Patches::grow(std::size_t most) {
+    std::vector<Job> jobs;
+    for (; grown_ < patches_.size() && jobs.size() < most; ++grown_) {
+        // Each its own directions: their errors cancel in what others gather from them.
+        const auto id = static_cast<std::uint32_t>(grown_);
+        jobs.push_back({.point = &patches_[id].middle, .by_chance = links_of_a_patch, .seed = id + 1, .patch = id});
+    }
+    link(jobs);
+    return !jobs.empty();
+}
+
+void Patches::forget_light(vec3 middle, float radius) {
+    for (std::uint32_t id = 0; id < patches_.size(); ++id) {
+        Patch& patch = patches_[id];
+        if (!(glm::length(patch.middle.point.position - middle) < radius + 2.0f * patch.side)) continue;
+        for (Sample& sample : patch.samples) sample.lit = vec3(-1.0f);
+        if (!patch.waiting) waiting_.push_back(id);
+        patch.waiting = true;
+    }
+}
+
+bool Patches::renew(std::size_t most) {
+    const std::size_t count = std::min(most, waiting_.size());
+    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) { light(waiting_[i]); });
+    waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(count));
+    return count > 0;
+}
+
+bool Patches::light_samples(Patch& patch) const {
+    patch.albedo = patch.lit = vec3(0.0f);
+    float low = std::numeric_limits<float>::infinity(), high = 0.0f, sum = 0.0f;
+    vec3 bright(0.0f);
+    const auto count = static_cast<float>(patch.samples.size());
+    for (std::size_t i = 0; i < patch.samples.size(); ++i) {
+        Sample& sample = patch.samples[i];
+        if (sample.lit.x < 0.0f) sample.lit = direct_irradiance(world_, sample.point, SampleSequence(4, uvec2(static_cast<std::uint32_t>(patch.cell), i), 0).pair().x);
+        const vec3 albedo = albedo_of(sample.point.surface);
+        patch.albedo += albedo / count;
+        patch.lit += albedo * sample.lit / count;
+        const float size = luminance(sample.lit);
+        bright += size * sample.point.position;
+        low = std::min(low, size);
+        high = std::max(high, size);
+        sum += size;
+    }
+    // What of it is bright: the mean place, and twice the spread around it.
+    patch.bright_place = sum > 0.0f ? bright / sum : patch.middle.point.position;
+    float spread = 0.0f;
+    for (const Sample& sample : patch.samples) {
+        const vec3 apart = sample.point.position - patch.bright_place;
+        spread += (sum > 0.0f ? luminance(sample.lit) / sum : 1.0f / count) * glm::dot(apart, apart);
+    }
+    patch.bright_radius = 2.0f * std::sqrt(spread) + patch.side / static_cast<float>(patch.strata);
+    return high - low > even * sum / count;
+}
+
+void Patches::light(std::uint32_t id) {
+    Patch& patch = patches_[id];
+    patch.waiting = false;
+    if (patch.samples.empty()) spread_samples(patch, few_strata);
+    if (light_samples(patch) && patch.strata < many_strata) {
+        spread_samples(patch, many_strata);
+        light_samples(patch);
+    }
+    set_radiosity(id);
+}
+
+void Patches::set_radiosity(std::uint32_t id) {
+    const Patch& patch = patches_[id];
+    radiosity_[id] = black_ ? vec3(0.0f) : patch.lit + patch.albedo * patch.middle.irradiance;
+}
+
+Patches::Gathered Patches::gather(const GatherPoint& point) const {
+    if (point.by_chance == 0) return {};
+    // One-sample balance heuristic of rays by chance and guided ones (Veach & Guibas 1995): each link's light over the
+    // density with which all rays together take its direction.
+    const auto by_chance = static_cast<float>(point.by_chance), all = static_cast<float>(point.links.size()), guided = all - by_chance;
+    const vec3 from_sky = pi * world_.sky;
+    vec3 sum(0.0f);
+    float squares = 0.0f;
+    for (const Link& link : point.links) {
+        if (link.patch == nothing) continue;
+        const vec3 arriving = (link.patch == sky ? from_sky : radiosity_[link.patch]) / (by_chance + guided * link.guided);
+        sum += arriving;
+        const float size = luminance(arriving);
+        squares += size * size;
+    }
+    const float mean = luminance(sum), glow = luminance(point.glow) / by_chance;
+    const float spread = std::max(squares - mean * mean / all, 0.0f) + std::max(point.glow_squares / by_chance - glow * glow, 0.0f) / by_chance;
+    return {.irradiance = sum + point.glow / by_chance, .error = std::sqrt(spread)};
+}
+
+vec3 Patches::straight(const GatherPoint& point) const {
+    if (point.by_chance == 0) return vec3(0.0f);
+    const auto free = static_cast<float>(std::ranges::count(point.links, sky, &Link::patch));
+    return (free * pi * world_.sky + point.glow) / static_cast<float>(point.by_chance);
+}
+
+void Patches::forget_reflections(bool any) {
+    black_ = !any;
+    for (std::uint32_t id = 0; id < patches_.size(); ++id) {
+        patches_[id].middle.irradiance = straight(patches_[id].middle);
+        set_radiosity(id);
+    }
+}
+
+float Patches::reflect() {
+    std::vector<float> change(patches_.size()), size(patches_.size());
+    tbb::parallel_for(std::size_t{0}, patches_.size(), [&](std::size_t i) {
+        GatherPoint& middle = patches_[i].middle;
+        const vec3 before = middle.irradiance;
+        middle.irradiance = gather(middle).irradiance;
+        change[i] = luminance(glm::abs(middle.irradiance - before) * patches_[i].albedo);
+        size[i] = luminance(patches_[i].lit + patches_[i].albedo * middle.irradiance);
+    });
+    double most = 0.0, total = 0.0;
+    for (std::uint32_t i = 0; i < patches_.size(); ++i) {
+        most = std::max(most, double{change[i]});
+        total += size[i];
+        set_radiosity(i);
+    }
+    return total > 0.0 ? static_cast<float>(most * static_cast<double>(patches_.size()) / total) : 0.0f;
+}
+
+}  // namespace sl

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <deque>
+#include <span>
+#include <unordered_map>
+
+#include "engine/render/facets/facet_name.h"
+#include "engine/render/facets/guide.h"
+#include "engine/render/trace/transport_world.h"
+
+namespace sl {
+
+/// What a ray from a gather point has met.
+struct Link {
+    std::uint32_t patch;  ///< or Patches::sky, ::nothing
+    float guided = 0.0f;    ///< density of guided rays over that of rays by chance, for equal numbers of both
+    float distance = 0.0f;  ///< m
+};
+
+/// A point on a surface whose irradiance is gathered: rays in well-spread directions find once what it sees, and whatever
+/// light changes later is only summed up anew.
+struct GatherPoint {
+    SurfacePoint point;
+    float level = 0.0f;            ///< exponent of the side of the smallest patches that it tells apart
+    const Guide* guide = nullptr;  ///< what it sends further rays to
+    std::vector<Link> links;
+    std::uint32_t by_chance = 0;   ///< rays with density cos θ / π; the other links are guided ones
+    vec3 glow{0.0f};               ///< sum over those rays of irradiance straight from glowing surfaces, lux
+    float glow_squares = 0.0f;     ///< of its luminance
+    vec3 irradiance{0.0f};         ///< as last gathered, lux
+};
+
+/// The surfaces that others see, as patches that reflect diffusely, and the light that they exchange along links: a
+/// radiosity solution whose form factors are rays (Hanrahan et al. 1991 for links between patches of sizes that suit their
+/// distance). A patch is all that is seen of its cell of a world-space lattice from its own first point, so none reaches
+/// through a wall. Which patches there are depends on surfaces alone; what they reflect is renewed when lights change.
+class Patches {
+  public:
+    static constexpr std::uint32_t sky = ~0u, nothing = ~0u - 1;
+
+    /// A point and how many rays by chance it is to have had in all; with a guide, it gets half as many guided ones.
+    struct Job {
+        GatherPoint* point;
+        std::uint32_t by_chance;
+        std::uint32_t seed;  ///< equal seeds: equal directions round the normal
+        std::uint32_t patch = nothing;  ///< whose middle `point` is; its rays start all over the patch
+    };
+    /// An irradiance and its standard error, of luminance.
+    struct Gathered {
+        vec3 irradiance{0.0f};
+        float error = 0.0f;
+    };
+
+    /// The world must outlive the patches.
+    explicit Patches(const TransportWorld& world);
+
+    /// Follows the rays that points still lack; what they meet becomes a patch where it is none yet.
+    void link(std::span<const Job> jobs);
+    /// Links of patches themselves, of at most `most` of them; those found last come last. False when none lacks any.
+    bool grow(std::size_t most);
+
+    /// The lights within reach of a sphere have changed: the light of its patches is asked for anew, by `renew`.
+    void forget_light(vec3 middle, float radius);
+    /// Direct light of at most `most` patches that wait for it; false when none does.
+    bool renew(std::size_t most);
+    /// One more reflection everywhere. Returns the largest change of a patch's light over the mean of all.
+    float reflect();
+    /// Starts again with light of one reflection; `any` false: of none, and patches are black.
+    void forget_reflections(bool any);
+
+    Gathered gather(const GatherPoint& point) const;
+    /// Where rays of points near each other are best sent, judged by the links by chance that they have.
+    Guide guide_for(std::span<const Job> points) const;
+    std::size_t size() const { return patches_.size(); }
+
+  private:
+    /// A place in a patch.
+    struct Sample {
+        SurfacePoint point;
+        vec3 lit{-1.0f};  ///< irradiance straight from lights, lux; negative while it is not known
+    };
+    struct Patch {
+        GatherPoint middle;
+        FacetName cell = 0;
+        float level = 0.0f;  ///< of the cell
+        float side = 0.0f;   ///< of the cell, m
+        std::vector<Sample> samples;
+        vec3 albedo{0.0f};
+        vec3 lit{0.0f};       ///< radiosity without that of indirect light, lux
+        std::uint32_t next = nothing;  ///< another one in the same cell
+        vec3 bright_place{0.0f};  ///< middle of what of it is lit
+        float bright_radius = 0.0f;
+        std::uint32_t strata = 0;  ///< per side, of the samples
+        bool waiting = false;      ///< for its light
+    };
+    /// What a ray met.
+    struct Met {
+        std::uint32_t patch = nothing;  ///< or sky
+        float guided = 0.0f, distance = 0.0f;
+        bool surface = false;           ///< `point` is on one, whose patch is `patch` when it was known
+        float level = 0.0f;
+        SurfacePoint point;
+    };
+
+    Met by_chance(const Job& job, std::uint32_t number) const;
+    Met guided(const GatherPoint& from, std::uint32_t number) const;
+    Met follow(const GatherPoint& from, const SurfacePoint& start, vec3 direction, vec3* glow) const;
+    static vec3 direction_by_chance(const Job& job, std::uint32_t number);
+    std::uint32_t find(const SurfacePoint& point, float level) const;
+    std::uint32_t add(const SurfacePoint& point, float level, bool sharp);
+    bool belongs(const SurfacePoint& point, const Patch& patch) const;
+    void spread_samples(Patch& patch, std::uint32_t strata) const;
+    /// Returns whether they disagree.
+    bool light_samples(Patch& patch) const;
+    void light(std::uint32_t patch);
+    void set_radiosity(std::uint32_t patch);
+    /// Irradiance straight from the sky and glowing surfaces, lux.
+    vec3 straight(const GatherPoint& point) const;
+
+    const TransportWorld& world_;
+    float coarsest_;  ///< level of the largest patches that others ask for whatever the distance
+    std::deque<Patch> patches_;
+    std::vector<vec3> radiosity_;  ///< per patch, lux
+    std::unordered_map<FacetName, std::uint32_t> first_;  ///< of a cell
+    std::vector<std::uint32_t> waiting_;             ///< for direct light
+    bool black_ = false;     ///< patches reflect nothing
+    std::size_t grown_ = 0;  ///< patches before it have links of their own
+};
+
+}  // namespace sl

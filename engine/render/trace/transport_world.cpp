@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#include "engine/render/trace/transport_world.h"
+
+#include "engine/render/scene/light_map.h"
+
+namespace sl {
+
+TransportWorld::TransportWorld(const RenderScene& render_scene, const TransportSettings& transport)
+    : scene(render_scene), emitters(scene), settings(transport) {
+    relight(render_scene);
+}
+
+void TransportWorld::relight(const RenderScene& render_scene) {
+    lights = build_light_table(render_scene).params;
+    sky = render_scene.sky_radiance;
+    casts.clear();
+    bounces.clear();
+    for (const RenderScene::Light& light : render_scene.lights) {
+        // Point lights have no shadow setting: nothing shines through walls.
+        casts.push_back(light.casts_shadow || light.kind == RenderScene::Light::Kind::point);
+        bounces.push_back(light.bounces);
+    }
+}
+
+}  // namespace sl
