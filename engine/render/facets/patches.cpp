@@ -46,6 +46,7 @@ vec3 albedo_of(const Surface& surface) {
 }  // namespace
 
 Patches::Patches(const TransportWorld& world) : world_(world) {
+    glowing_ = world.emitters.balls();
     const Bounds bounds = world.scene.bounds();
     coarsest_ = facet_level(glm::length(bounds.high - bounds.low), 1.0f / 16.0f);
 }
@@ -60,19 +61,7 @@ Patches::Met Patches::by_chance(const Job& job, std::uint32_t number) const {
     };
     const SurfacePoint& point = start();
     const vec3 direction = basis_around(point.normal()) * cosine_direction(samples.pair());
-    // Straight light of glowing surfaces: by the ray itself and by one towards them (Veach & Guibas 1995).
-    vec3 glow(0.0f);
-    if (!world_.emitters.empty()) {
-        if (const auto path = world_.emitters.path_from(world_.scene, point, samples.pair())) {
-            const float cosine = glm::dot(path->direction, point.normal()), other = cosine / pi;
-            const float weight = path->density / (path->density * path->density + other * other);
-            if (weight > 0.0f && !world_.scene.occluded(path->ray)) glow += path->radiance * (cosine * weight);
-        }
-    }
-    const Met met = follow(from, point, direction, &glow);
-    from.glow += glow;
-    from.glow_squares += luminance(glow) * luminance(glow);
-    return met;
+    return follow(from, point, direction);
 }
 
 Patches::Met Patches::guided(const GatherPoint& from, std::uint32_t number) const {
@@ -80,10 +69,10 @@ Patches::Met Patches::guided(const GatherPoint& from, std::uint32_t number) cons
     const vec2 xi = samples.pair();
     const vec3 direction = from.guide->sample(from.point.position, xi, samples.pair().x);
     if (!(glm::dot(direction, from.point.normal()) > 0.0f)) return {};
-    return follow(from, from.point, direction, nullptr);
+    return follow(from, from.point, direction);
 }
 
-Patches::Met Patches::follow(const GatherPoint& from, const SurfacePoint& start, vec3 direction, vec3* glow) const {
+Patches::Met Patches::follow(const GatherPoint& from, const SurfacePoint& start, vec3 direction) const {
     Met met;
     const float density = std::max(glm::dot(direction, start.normal()), 0.0f) / pi;
     if (from.guide != nullptr && density > 0.0f) met.guided = from.guide->density(start.position, direction) / density;
@@ -96,19 +85,15 @@ Patches::Met Patches::follow(const GatherPoint& from, const SurfacePoint& start,
     if (!hit->front) return met;  // backs are black
     met.surface = true;
     met.point = world_.scene.surface_at(*hit);
-    if (glow != nullptr && met.point.emission != vec3(0.0f)) {
-        const float other = world_.emitters.path_density(*hit, met.point, direction);
-        *glow += pi * met.point.emission * (density * density / (density * density + other * other));
-    }
     met.level = std::max(facet_level(hit->distance, side_over_distance), from.level);
     met.patch = find(met.point, met.level);
     return met;
 }
 
 Guide Patches::guide_for(std::span<const Job> points) const {
-    const float from_sky = luminance(pi * world_.sky);
+    const float sky_light = luminance(pi * world_.sky);
     float total = 0.0f, rays = 0.0f;
-    const auto brings = [&](const Link& link) { return link.patch == sky ? from_sky : link.patch == nothing ? 0.0f : luminance(radiosity_[link.patch]); };
+    const auto brings = [&](const Link& link) { return link.patch == sky ? sky_light : link.patch == nothing ? 0.0f : luminance(seen_[link.patch]); };
     for (const Job& job : points) {
         for (const Link& link : job.point->links) total += brings(link);
         rays += static_cast<float>(job.point->links.size());
@@ -138,8 +123,24 @@ Guide Patches::guide_for(std::span<const Job> points) const {
             if (distance > 0.0f) guide.add(job.point->point.position + distance * direction, size_of_an_opening * distance, light);
         }
     }
+    guide_to_glow(points, rays, guide);
     guide.finish(most_targets);
     return guide;
+}
+
+void Patches::guide_to_glow(std::span<const Job> points, float rays, Guide& guide) const {
+    // Lamps are known, and far too small to be found by chance. As bright as they are where nothing stands before them.
+    const SurfacePoint& middle = points[points.size() / 2].point->point;
+    std::vector<std::pair<float, const Emitters::Ball*>> bright;
+    for (const Emitters::Ball& ball : glowing_) {
+        const vec3 offset = ball.place - middle.position;
+        const float distance_squared = std::max(glm::dot(offset, offset), ball.radius * ball.radius);
+        if (glm::dot(offset, middle.face) < -ball.radius - 0.2f * std::sqrt(distance_squared)) continue;
+        bright.emplace_back(ball.power / (3.0f * distance_squared), &ball);
+    }
+    const std::size_t kept = std::min(bright.size(), most_targets);
+    std::ranges::partial_sort(bright, bright.begin() + static_cast<std::ptrdiff_t>(kept), std::greater{}, &std::pair<float, const Emitters::Ball*>::first);
+    for (std::size_t i = 0; i < kept; ++i) guide.add(bright[i].second->place, bright[i].second->radius, rays * bright[i].first);
 }
 
 vec3 Patches::direction_by_chance(const Job& job, std::uint32_t number) {
@@ -195,7 +196,8 @@ std::uint32_t Patches::add(const SurfacePoint& point, float level, bool sharp) {
     if (!fresh) patch.next = std::exchange(first->second, id);
     patch.waiting = true;
     waiting_.push_back(id);
-    radiosity_.push_back(vec3(0.0f));
+    reflected_.push_back(vec3(0.0f));
+    seen_.push_back(vec3(0.0f));
     return id;
 }
 
@@ -273,17 +275,20 @@ bool Patches::renew(std::size_t most) {
 }
 
 bool Patches::light_samples(Patch& patch) const {
-    patch.albedo = patch.lit = vec3(0.0f);
+    patch.albedo = patch.lit = patch.glow = vec3(0.0f);
     float low = std::numeric_limits<float>::infinity(), high = 0.0f, sum = 0.0f;
     vec3 bright(0.0f);
+    std::array<float, many_strata * many_strata> brightness{};
     const auto count = static_cast<float>(patch.samples.size());
     for (std::size_t i = 0; i < patch.samples.size(); ++i) {
         Sample& sample = patch.samples[i];
-        if (sample.lit.x < 0.0f) sample.lit = direct_irradiance(world_, sample.point, SampleSequence(4, uvec2(static_cast<std::uint32_t>(patch.cell), i), 0).pair().x);
+        if (sample.lit.x < 0.0f) sample.lit = direct_irradiance(world_, sample.point, SampleSequence(4, uvec2(static_cast<std::uint32_t>(patch.cell), 0), i));
         const vec3 albedo = albedo_of(sample.point.surface);
         patch.albedo += albedo / count;
         patch.lit += albedo * sample.lit / count;
-        const float size = luminance(sample.lit);
+        patch.glow += pi * sample.point.emission / count;
+        const float size = luminance(albedo * sample.lit + pi * sample.point.emission);
+        brightness[i] = size;
         bright += size * sample.point.position;
         low = std::min(low, size);
         high = std::max(high, size);
@@ -292,9 +297,9 @@ bool Patches::light_samples(Patch& patch) const {
     // What of it is bright: the mean place, and twice the spread around it.
     patch.bright_place = sum > 0.0f ? bright / sum : patch.middle.point.position;
     float spread = 0.0f;
-    for (const Sample& sample : patch.samples) {
-        const vec3 apart = sample.point.position - patch.bright_place;
-        spread += (sum > 0.0f ? luminance(sample.lit) / sum : 1.0f / count) * glm::dot(apart, apart);
+    for (std::size_t i = 0; i < patch.samples.size(); ++i) {
+        const vec3 apart = patch.samples[i].point.position - patch.bright_place;
+        spread += (sum > 0.0f ? brightness[i] / sum : 1.0f / count) * glm::dot(apart, apart);
     }
     patch.bright_radius = 2.0f * std::sqrt(spread) + patch.side / static_cast<float>(patch.strata);
     return high - low > even * sum / count;
@@ -313,10 +318,11 @@ void Patches::light(std::uint32_t id) {
 
 void Patches::set_radiosity(std::uint32_t id) {
     const Patch& patch = patches_[id];
-    radiosity_[id] = black_ ? vec3(0.0f) : patch.lit + patch.albedo * patch.middle.irradiance;
+    reflected_[id] = black_ ? vec3(0.0f) : patch.lit + patch.albedo * patch.middle.irradiance;
+    seen_[id] = reflected_[id] + patch.glow;
 }
 
-Patches::Gathered Patches::gather(const GatherPoint& point) const {
+Patches::Gathered Patches::gather(const GatherPoint& point, const std::vector<vec3>& light) const {
     if (point.by_chance == 0) return {};
     // One-sample balance heuristic of rays by chance and guided ones (Veach & Guibas 1995): each link's light over the
     // density with which all rays together take its direction.
@@ -326,26 +332,24 @@ Patches::Gathered Patches::gather(const GatherPoint& point) const {
     float squares = 0.0f;
     for (const Link& link : point.links) {
         if (link.patch == nothing) continue;
-        const vec3 arriving = (link.patch == sky ? from_sky : radiosity_[link.patch]) / (by_chance + guided * link.guided);
+        const vec3 arriving = (link.patch == sky ? from_sky : light[link.patch]) / (by_chance + guided * link.guided);
         sum += arriving;
         const float size = luminance(arriving);
         squares += size * size;
     }
-    const float mean = luminance(sum), glow = luminance(point.glow) / by_chance;
-    const float spread = std::max(squares - mean * mean / all, 0.0f) + std::max(point.glow_squares / by_chance - glow * glow, 0.0f) / by_chance;
-    return {.irradiance = sum + point.glow / by_chance, .error = std::sqrt(spread)};
+    const float mean = luminance(sum);
+    return {.irradiance = sum, .error = std::sqrt(std::max(squares - mean * mean / all, 0.0f))};
 }
 
-vec3 Patches::straight(const GatherPoint& point) const {
+vec3 Patches::from_sky(const GatherPoint& point) const {
     if (point.by_chance == 0) return vec3(0.0f);
-    const auto free = static_cast<float>(std::ranges::count(point.links, sky, &Link::patch));
-    return (free * pi * world_.sky + point.glow) / static_cast<float>(point.by_chance);
+    return static_cast<float>(std::ranges::count(point.links, sky, &Link::patch)) / static_cast<float>(point.by_chance) * pi * world_.sky;
 }
 
 void Patches::forget_reflections(bool any) {
     black_ = !any;
     for (std::uint32_t id = 0; id < patches_.size(); ++id) {
-        patches_[id].middle.irradiance = straight(patches_[id].middle);
+        patches_[id].middle.irradiance = from_sky(patches_[id].middle);
         set_radiosity(id);
     }
 }
@@ -355,7 +359,7 @@ float Patches::reflect() {
     tbb::parallel_for(std::size_t{0}, patches_.size(), [&](std::size_t i) {
         GatherPoint& middle = patches_[i].middle;
         const vec3 before = middle.irradiance;
-        middle.irradiance = gather(middle).irradiance;
+        middle.irradiance = gather(middle, reflected_).irradiance;
         change[i] = luminance(glm::abs(middle.irradiance - before) * patches_[i].albedo);
         size[i] = luminance(patches_[i].lit + patches_[i].albedo * middle.irradiance);
     });

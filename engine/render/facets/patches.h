@@ -26,8 +26,6 @@ struct GatherPoint {
     const Guide* guide = nullptr;  ///< what it sends further rays to
     std::vector<Link> links;
     std::uint32_t by_chance = 0;   ///< rays with density cos θ / π; the other links are guided ones
-    vec3 glow{0.0f};               ///< sum over those rays of irradiance straight from glowing surfaces, lux
-    float glow_squares = 0.0f;     ///< of its luminance
     vec3 irradiance{0.0f};         ///< as last gathered, lux
 };
 
@@ -69,7 +67,8 @@ class Patches {
     /// Starts again with light of one reflection; `any` false: of none, and patches are black.
     void forget_reflections(bool any);
 
-    Gathered gather(const GatherPoint& point) const;
+    /// Of a point that is no patch's own: what glows is seen by its links.
+    Gathered gather(const GatherPoint& point) const { return gather(point, seen_); }
     /// Where rays of points near each other are best sent, judged by the links by chance that they have.
     Guide guide_for(std::span<const Job> points) const;
     std::size_t size() const { return patches_.size(); }
@@ -78,7 +77,7 @@ class Patches {
     /// A place in a patch.
     struct Sample {
         SurfacePoint point;
-        vec3 lit{-1.0f};  ///< irradiance straight from lights, lux; negative while it is not known
+        vec3 lit{-1.0f};  ///< irradiance straight from lights and what glows, lux; negative while it is not known
     };
     struct Patch {
         GatherPoint middle;
@@ -88,6 +87,7 @@ class Patches {
         std::vector<Sample> samples;
         vec3 albedo{0.0f};
         vec3 lit{0.0f};       ///< radiosity without that of indirect light, lux
+        vec3 glow{0.0f};      ///< what it gives out of itself, lux
         std::uint32_t next = nothing;  ///< another one in the same cell
         vec3 bright_place{0.0f};  ///< middle of what of it is lit
         float bright_radius = 0.0f;
@@ -105,7 +105,9 @@ class Patches {
 
     Met by_chance(const Job& job, std::uint32_t number) const;
     Met guided(const GatherPoint& from, std::uint32_t number) const;
-    Met follow(const GatherPoint& from, const SurfacePoint& start, vec3 direction, vec3* glow) const;
+    Met follow(const GatherPoint& from, const SurfacePoint& start, vec3 direction) const;
+    Gathered gather(const GatherPoint& point, const std::vector<vec3>& light) const;
+    void guide_to_glow(std::span<const Job> points, float rays, Guide& guide) const;
     static vec3 direction_by_chance(const Job& job, std::uint32_t number);
     std::uint32_t find(const SurfacePoint& point, float level) const;
     std::uint32_t add(const SurfacePoint& point, float level, bool sharp);
@@ -115,13 +117,15 @@ class Patches {
     bool light_samples(Patch& patch) const;
     void light(std::uint32_t patch);
     void set_radiosity(std::uint32_t patch);
-    /// Irradiance straight from the sky and glowing surfaces, lux.
-    vec3 straight(const GatherPoint& point) const;
+    /// Irradiance straight from the sky, lux.
+    vec3 from_sky(const GatherPoint& point) const;
 
     const TransportWorld& world_;
     float coarsest_;  ///< level of the largest patches that others ask for whatever the distance
     std::deque<Patch> patches_;
-    std::vector<vec3> radiosity_;  ///< per patch, lux
+    std::vector<vec3> reflected_;  ///< per patch, radiosity, lux; what other patches gather: what glows has lit them already
+    std::vector<vec3> seen_;       ///< the same with its own glow
+    std::vector<Emitters::Ball> glowing_;
     std::unordered_map<FacetName, std::uint32_t> first_;  ///< of a cell
     std::vector<std::uint32_t> waiting_;             ///< for direct light
     bool black_ = false;     ///< patches reflect nothing

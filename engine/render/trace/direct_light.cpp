@@ -32,7 +32,9 @@ Ray shadow_ray(const LightParams& light, const SurfacePoint& point) {
     return {.origin = origin, .direction = vec3(light.position) - origin, .farthest = 1.0f};
 }
 
-vec3 direct_irradiance(const TransportWorld& world, const SurfacePoint& point, float xi) {
+namespace {
+
+vec3 from_lights(const TransportWorld& world, const SurfacePoint& point, float xi) {
     static thread_local std::vector<Candidate> candidates;
     candidates.clear();
     for (std::uint32_t i = 0; i < world.lights.size(); ++i) {
@@ -60,6 +62,20 @@ vec3 direct_irradiance(const TransportWorld& world, const SurfacePoint& point, f
         before = end;
     }
     return result;
+}
+
+vec3 from_emitters(const TransportWorld& world, const SurfacePoint& point, vec2 xi) {
+    if (world.emitters.empty()) return vec3(0.0f);
+    const auto path = world.emitters.path_from(world.scene, point, xi);
+    if (!path || world.scene.occluded(path->ray)) return vec3(0.0f);
+    return path->radiance * (glm::dot(path->direction, point.normal()) / path->density);
+}
+
+}  // namespace
+
+vec3 direct_irradiance(const TransportWorld& world, const SurfacePoint& point, SampleSequence samples) {
+    const vec3 lights = from_lights(world, point, samples.pair().x);
+    return lights + from_emitters(world, point, samples.pair());
 }
 
 }  // namespace sl

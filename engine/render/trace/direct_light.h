@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "engine/render/trace/samples.h"
 #include "engine/render/trace/transport_world.h"
 
 namespace sl {
@@ -8,8 +9,9 @@ namespace sl {
 /// From a surface point to a light: what it meets is in the way.
 Ray shadow_ray(const LightParams& light, const SurfacePoint& point);
 
-/// Irradiance straight from directional, spot and point lights, lux. Up to four lights are asked each whether something
-/// stands before them; of more, four are drawn by what they would bring (xi in [0, 1)), and the mean is still right.
-vec3 direct_irradiance(const TransportWorld& world, const SurfacePoint& point, float xi);
+/// Irradiance straight from directional, spot and point lights and from glowing surfaces, lux. Up to four lights are asked
+/// each whether something stands before them; of more, four are drawn by what they would bring, and one point of all glowing
+/// surfaces: the mean over `samples` is right.
+vec3 direct_irradiance(const TransportWorld& world, const SurfacePoint& point, SampleSequence samples);
 
 }  // namespace sl

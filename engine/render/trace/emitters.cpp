@@ -16,7 +16,7 @@ Emitters::Emitters(const TraceScene& scene) {
             const auto corners = scene.corners(draw, triangle);
             const double size = 0.5 * glm::length(glm::cross(dvec3(corners[1] - corners[0]), dvec3(corners[2] - corners[0])));
             if (!(size > 0.0)) continue;
-            triangles_.push_back({corners, draw, triangle, 0.0f, 0.0f});
+            triangles_.push_back({.corners = corners, .draw = draw, .triangle = triangle, .density = 0.0f, .power = 0.0f, .share_before = 0.0f});
             area.push_back(size);
             power.push_back(size * (radiance.x + radiance.y + radiance.z));
             total += power.back();
@@ -26,10 +26,22 @@ Emitters::Emitters(const TraceScene& scene) {
     for (std::size_t i = 0; i < triangles_.size(); ++i) {
         Glowing& glowing = triangles_[i];
         glowing.share_before = static_cast<float>(before / total);
+        glowing.power = static_cast<float>(power[i]);
         glowing.density = static_cast<float>(power[i] / (total * area[i]));
         densities_[key(glowing.draw, glowing.triangle)] = glowing.density;
         before += power[i];
     }
+}
+
+std::vector<Emitters::Ball> Emitters::balls() const {
+    std::vector<Ball> result;
+    for (const Glowing& glowing : triangles_) {
+        const auto& [a, b, c] = glowing.corners;
+        const vec3 middle = (a + b + c) / 3.0f;
+        const float radius = std::max({glm::length(a - middle), glm::length(b - middle), glm::length(c - middle)});
+        result.push_back({.place = middle, .radius = radius, .normal = glm::normalize(glm::cross(b - a, c - a)), .power = glowing.power});
+    }
+    return result;
 }
 
 EmitterSample Emitters::sample(vec2 xi) const {

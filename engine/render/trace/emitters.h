@@ -27,7 +27,16 @@ class Emitters {
   public:
     explicit Emitters(const TraceScene& scene);
 
+    /// The ball around a glowing triangle.
+    struct Ball {
+        vec3 place;
+        float radius;
+        vec3 normal;
+        float power;  ///< radiance times area, nit m², summed over the colours
+    };
+
     bool empty() const { return triangles_.empty(); }
+    std::vector<Ball> balls() const;
     /// xi in [0, 1)²; not when empty.
     EmitterSample sample(vec2 xi) const;
     /// Density, per m², with which `sample` draws a point of this triangle; 0 for one that does not glow.
@@ -43,6 +52,7 @@ class Emitters {
         std::array<vec3, 3> corners;
         std::uint32_t draw, triangle;
         float density;       ///< per m²
+        float power;         ///< nit m²
         float share_before;  ///< sum of the shares of those before it
     };
     static std::uint64_t key(std::uint32_t draw, std::uint32_t triangle) { return (std::uint64_t{draw} << 32) | triangle; }
