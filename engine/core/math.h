@@ -33,6 +33,21 @@ struct Bounds {
     vec3 centre() const { return 0.5f * (low + high); }
     /// Half the diagonal; 0 when empty.
     float radius() const { return empty() ? 0.0f : 0.5f * glm::length(high - low); }
+    /// Larger by as much on all sides; still empty when empty.
+    Bounds grown(float margin) const { return empty() ? *this : Bounds{low - margin, high + margin}; }
+    bool contains(vec3 point) const { return glm::all(glm::greaterThanEqual(point, low)) && glm::all(glm::lessThanEqual(point, high)); }
+    bool touches(const Bounds& other) const { return glm::all(glm::lessThanEqual(low, other.high)) && glm::all(glm::lessThanEqual(other.low, high)); }
+    /// Whether the way from a point along `direction`, up to `farthest` of its lengths, passes through.
+    bool meets(vec3 origin, vec3 direction, float farthest) const {
+        float near = 0.0f, far = farthest;
+        for (int axis = 0; axis < 3; ++axis) {
+            const float inverse = 1.0f / direction[axis], a = (low[axis] - origin[axis]) * inverse, b = (high[axis] - origin[axis]) * inverse;
+            // NaN, where a ray lies in a side's plane, leaves both as they are.
+            near = std::max(near, std::min(a, b));
+            far = std::min(far, std::max(a, b));
+        }
+        return near <= far;
+    }
     void add(vec3 point) {
         low = glm::min(low, point);
         high = glm::max(high, point);

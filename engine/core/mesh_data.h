@@ -24,6 +24,7 @@ struct MeshData {
     std::vector<std::uint32_t> indices;
     Bounds bounds;
     std::uint32_t version = 0;  ///< whoever changes the arrays counts this up, so that caches notice
+    Bounds changed;             ///< where its surface differs from the last version's; empty: anywhere
 };
 
 using MeshHandle = Handle<MeshData>;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 #include "engine/core/check.h"
 
@@ -62,6 +63,10 @@ void VoxelVolume::fill_in_chunk(ivec3 key, ivec3 low, ivec3 high, Block kind) {
         }
     }
     if (changed_high.x < 0) return;
+    const bool first = changed_low_ == changed_high_;
+    const ivec3 low_now = chunk_low(key) + changed_low, high_now = chunk_low(key) + changed_high + 1;
+    changed_low_ = first ? low_now : glm::min(changed_low_, low_now);
+    changed_high_ = first ? high_now : glm::max(changed_high_, high_now);
     changed_.insert(key);
     for (int axis = 0; axis < 3; ++axis) {
         ivec3 side(0);
@@ -88,6 +93,8 @@ std::vector<ivec3> VoxelVolume::chunk_keys() const {
 std::vector<ivec3> VoxelVolume::take_changed_chunks() {
     std::vector<ivec3> keys(changed_.begin(), changed_.end());
     changed_.clear();
+    taken_low_ = std::exchange(changed_low_, ivec3(0));
+    taken_high_ = std::exchange(changed_high_, ivec3(0));
     std::sort(keys.begin(), keys.end(), before);
     return keys;
 }

@@ -68,6 +68,9 @@ class VoxelVolume {
     /// kind and the existing ones that touch a written block. A key without a chunk says that the chunk
     /// became air.
     std::vector<ivec3> take_changed_chunks();
+    /// Box around all blocks that had changed when that was called last, high exclusive; low == high when there were none.
+    ivec3 changed_low() const { return taken_low_; }
+    ivec3 changed_high() const { return taken_high_; }
 
     /// Box of blocks around all chunks that are not air, high exclusive; low == high when there is none.
     ivec3 low() const;
@@ -81,6 +84,7 @@ class VoxelVolume {
     float block_size_;
     std::unordered_map<ivec3, Chunk, IvecHash> chunks_;
     std::unordered_set<ivec3, IvecHash> changed_;
+    ivec3 changed_low_{0}, changed_high_{0}, taken_low_{0}, taken_high_{0};
 };
 
 }  // namespace sl

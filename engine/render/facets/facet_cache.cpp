@@ -30,6 +30,8 @@ constexpr std::uint32_t least_links_in_the_dark = 256;
 constexpr float settled = 1e-3f;
 constexpr std::size_t most_reflections = 400, reflections_between = 2;
 /// Work between two looks at the clock.
+/// Of the scene's size: where more of it has changed, nothing is worth keeping.
+constexpr float most_changed = 0.5f;
 constexpr std::uint32_t looks_at_once = 4;
 constexpr std::size_t groups_at_once = 8, corners_at_once = 64, patches_at_once = 64;
 
@@ -47,10 +49,8 @@ vec2 place_of_look(std::uint32_t look, std::uint32_t per_side) {
     return (vec2(column, row * stride % per_side) + 0.5f) / static_cast<float>(per_side);
 }
 
-/// What links depend on.
-std::uint64_t surfaces_of(const RenderScene& scene) {
-    return hash_bytes(hash_mix(scene.geometry_hash(), scene.materials_hash), &scene.origin, sizeof(dvec3));
-}
+/// What all that was traced depends on.
+std::uint64_t materials_of(const RenderScene& scene) { return hash_bytes(hash_mix(1, scene.materials_hash), &scene.origin, sizeof(dvec3)); }
 
 bool goes_on_for_ever(const Facets& settings) { return settings.bounces >= 64; }
 
@@ -94,7 +94,7 @@ float FacetCache::update(const RenderScene& scene, const FrameParams& frame, con
     } while (deadline.none() && share_known() < 1.0f);
     // After a change of surfaces the old light stays until each place has some of the new: a picture that is late by some
     // frames, and not one that falls dark.
-    if (renewing_ && !unfinished_.empty() && corners_[unfinished_.front()].at.links.empty()) return share_known();
+    if (renewing_ && !unfinished_.empty() && corners_[unfinished_.front()].at.by_chance.empty()) return share_known();
     renewing_ = false;
     if (table_is_old_) {
         fill_table();
@@ -111,13 +111,16 @@ float FacetCache::share_known() const {
 }
 
 void FacetCache::follow_changes(const RenderScene& scene, const Facets& settings) {
-    const std::uint64_t surfaces = surfaces_of(scene);
-    if (!world_ || surfaces != surfaces_) {
-        surfaces_ = surfaces;
+    const std::uint64_t materials = materials_of(scene);
+    if (!world_ || materials != materials_) {
+        materials_ = materials;
         start_anew(scene);
-    } else if (lights_ != scene.lights || world_->sky != scene.sky_radiance) {
-        change_lights(scene);
+    } else {
+        if (const Bounds box = changed_surfaces(scene); !box.empty()) change_surfaces(scene, box);
+        if (lights_ != scene.lights || world_->sky != scene.sky_radiance) change_lights(scene);
     }
+    draws_.clear();
+    for (const RenderScene::Draw& draw : scene.draws) draws_[draw.content] = draw.bounds;
     lights_ = scene.lights;
     if (settings.noise < noise_) {
         for (std::uint32_t i = 0; i < corners_.size(); ++i) {
@@ -153,6 +156,61 @@ void FacetCache::start_anew(const RenderScene& scene) {
     table_is_old_ = true;
 }
 
+Bounds FacetCache::changed_surfaces(const RenderScene& scene) const {
+    Bounds result;
+    std::unordered_map<std::uint64_t, Bounds> left = draws_;
+    for (const RenderScene::Draw& draw : scene.draws) {
+        if (left.erase(draw.content) > 0) continue;
+        // Of a mesh that was edited once, only the edited part is another one.
+        const bool edited = !draw.changed.empty() && left.erase(draw.content_before) > 0;
+        result.add(edited ? draw.changed : draw.bounds);
+    }
+    for (const auto& [content, bounds] : left) result.add(bounds);
+    return result;
+}
+
+void FacetCache::change_surfaces(const RenderScene& scene, const Bounds& box) {
+    if (box.radius() > most_changed * scene.bounds.radius()) return start_anew(scene);
+    auto world = std::make_unique<TransportWorld>(scene, TransportSettings{});
+    // Lights are another change.
+    world->lights = world_->lights;
+    world->casts = world_->casts;
+    world->bounces = world_->bounces;
+    world->sky = world_->sky;
+    world_.swap(world);
+    forget_facets(box);
+    std::vector<Patches::Job> points;
+    for (std::uint32_t i = 0; i < corners_.size(); ++i) {
+        if (!corners_[i].gone) points.push_back({.point = &corners_[i].at, .by_chance = 0, .seed = corners_[i].at.guide != nullptr ? 0 : i + 1});
+    }
+    patches_->change(*world_, box, points);
+    const auto before = world->emitters.balls(), now = world_->emitters.balls();
+    forget_glow(before, now);
+    forget_glow(now, before);
+    looks_ = 0;
+    light_has_changed();
+}
+
+void FacetCache::forget_facets(const Bounds& box) {
+    std::erase_if(facets_, [&](const auto& entry) { return box.grown(1.5f * std::exp2(entry.second.level)).contains(entry.second.middle.position); });
+    std::erase_if(unsplit_, [&](FacetName name) { return !facets_.contains(name); });
+    for (Corner& corner : corners_) corner.gone = corner.gone || box.contains(corner.at.point.position);
+    const auto gone = [&](std::uint32_t corner) { return corners_[corner].gone; };
+    std::erase_if(unfinished_, gone);
+    std::erase_if(shared_corners_, [&](const auto& entry) { return box.grown(2.0f * std::exp2(corners_[entry.second].at.level)).contains(corners_[entry.second].at.point.position); });
+    for (Group& group : groups_) std::erase_if(group.corners, gone);
+    table_is_old_ = true;
+}
+
+void FacetCache::forget_glow(const std::vector<Emitters::Ball>& balls, const std::vector<Emitters::Ball>& same) {
+    for (const Emitters::Ball& ball : balls) {
+        // As far as it brings a hundredth of what is there on average.
+        if (std::ranges::find(same, ball) != same.end()) continue;
+        const float mean = patches_->mean_light();
+        patches_->forget_light(ball.place, mean > 0.0f ? std::sqrt(ball.power / (0.01f * mean)) : std::numeric_limits<float>::infinity());
+    }
+}
+
 void FacetCache::change_lights(const RenderScene& scene) {
     world_->relight(scene);
     const auto reach = [&](const RenderScene::Light& light) {
@@ -167,6 +225,10 @@ void FacetCache::change_lights(const RenderScene& scene) {
     // What a light did where it was, and what it does where it is.
     reach_all_but(lights_, scene.lights);
     reach_all_but(scene.lights, lights_);
+    light_has_changed();
+}
+
+void FacetCache::light_has_changed() {
     reflecting_ = true;
     // Guides know nothing of light that is new.
     stale_.clear();
@@ -244,7 +306,7 @@ std::uint32_t FacetCache::corner_of(Facet& facet, FacetName name, vec2 within, u
 
 void FacetCache::work(const Facets& settings, const Deadline& deadline) {
     // Those without links come first, and nothing is refined before light has gone round once.
-    std::stable_partition(unfinished_.begin(), unfinished_.end(), [&](std::uint32_t corner) { return corners_[corner].at.links.empty(); });
+    std::stable_partition(unfinished_.begin(), unfinished_.end(), [&](std::uint32_t corner) { return corners_[corner].at.by_chance.empty(); });
     while (patches_->renew(patches_at_once)) {
         reflecting_ = true;
         if (deadline.passed(0.5)) break;
@@ -278,7 +340,7 @@ void FacetCache::link_anew(std::uint32_t corner, const Guide* guide) {
 }
 
 void FacetCache::guide_corners() {
-    const auto linked = [&](std::uint32_t corner) { return corners_[corner].at.by_chance > 0; };
+    const auto linked = [&](std::uint32_t corner) { return !corners_[corner].at.by_chance.empty() || corners_[corner].gone; };
     std::vector<std::uint32_t> waiting;
     for (const std::uint32_t number : std::exchange(unguided_, {})) {
         Group& group = groups_[number];
@@ -304,11 +366,12 @@ void FacetCache::link_corners(std::uint32_t most, const Deadline& deadline) {
         const std::size_t first = done;
         for (; done < unfinished_.size() && jobs.size() < corners_at_once; ++done) {
             GatherPoint& at = corners_[unfinished_[done]].at;
-            if (at.by_chance >= most) continue;
+            const auto known = static_cast<std::uint32_t>(at.by_chance.size());
+            if (known >= most) continue;
             // The same directions at all corners: what they miss, neighbours miss alike, and no blotches arise. But while a
             // group looks for what matters, each looks elsewhere.
             const bool guided = at.guide != nullptr;
-            jobs.push_back({.point = &at, .by_chance = std::max(2 * at.by_chance, guided ? least_links : first_links), .seed = guided ? 0 : unfinished_[done] + 1});
+            jobs.push_back({.point = &at, .by_chance = std::max(2 * known, guided ? least_links : first_links), .seed = guided ? 0 : unfinished_[done] + 1});
         }
         again.insert(again.end(), unfinished_.begin() + static_cast<std::ptrdiff_t>(first), unfinished_.begin() + static_cast<std::ptrdiff_t>(done));
         if (jobs.empty()) break;
@@ -352,11 +415,11 @@ void FacetCache::gather(const Facets& settings, const Deadline& deadline) {
 
 void FacetCache::judge(std::uint32_t corner, const Facets& settings) {
     Corner& it = corners_[corner];
-    if (it.at.by_chance == 0) return;
+    if (it.at.by_chance.empty()) return;
     const Patches::Gathered gathered = patches_->gather(it.at);
     it.at.irradiance = gathered.irradiance;
     const float mean = luminance(gathered.irradiance);
-    const std::size_t links = it.at.by_chance;
+    const std::size_t links = it.at.by_chance.size();
     // Without a guide it may have missed the brightest thing.
     if (it.at.guide == nullptr) return;
     it.done = it.done || (links >= (mean > 0.0f ? least_links : least_links_in_the_dark) && (gathered.error <= settings.noise * mean || links >= most_links));
@@ -366,7 +429,7 @@ void FacetCache::split_where_needed() {
     std::vector<FacetName> waiting;
     for (const FacetName name : std::exchange(unsplit_, {})) {
         Facet& facet = facets_.at(name);
-        if (facet.depth >= most_depth) continue;
+        if (facet.split || facet.depth >= most_depth) continue;
         float low = std::numeric_limits<float>::infinity(), high = 0.0f, sum = 0.0f;
         bool known = true;
         for (const std::uint32_t corner : facet.corners) {

@@ -37,6 +37,7 @@ class FacetCache {
         GatherPoint at;
         std::uint32_t group = 0;
         bool done = false;
+        bool gone = false;  ///< its surface is no longer there
     };
     /// Corners close to each other, which see much the same.
     struct Group {
@@ -56,6 +57,11 @@ class FacetCache {
     void follow_changes(const RenderScene& scene, const Facets& settings);
     void start_anew(const RenderScene& scene);
     void change_lights(const RenderScene& scene);
+    Bounds changed_surfaces(const RenderScene& scene) const;
+    void change_surfaces(const RenderScene& scene, const Bounds& box);
+    void forget_facets(const Bounds& box);
+    void forget_glow(const std::vector<Emitters::Ball>& balls, const std::vector<Emitters::Ball>& same);
+    void light_has_changed();
     void look(const FrameParams& frame, const Facets& settings);
     void add(const SurfacePoint& point, float level, std::uint32_t depth);
     std::uint32_t corner_of(Facet& facet, FacetName name, vec2 within, uvec2 lattice);
@@ -73,7 +79,8 @@ class FacetCache {
 
     std::unique_ptr<TransportWorld> world_;
     std::unique_ptr<Patches> patches_;
-    std::uint64_t surfaces_ = 0;  ///< hash of what is traced
+    std::uint64_t materials_ = 0;  ///< hash of all materials and of where the origin is
+    std::unordered_map<std::uint64_t, Bounds> draws_;  ///< content and place of what is traced
     std::vector<RenderScene::Light> lights_;
     bool renewing_ = false;  ///< the table still holds light from before a change
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/render/facets/patches.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -29,6 +30,8 @@ constexpr int most_in_a_cell = 4;
 constexpr float halvings = 8.0f;
 /// A patch is worth rays of its own where it is brighter than the mean of all that is seen by this factor.
 constexpr float worth_a_ray = 2.0f;
+/// What packing may turn a direction by, rad.
+constexpr float packed_angle = 0.004f;
 constexpr std::size_t most_targets = 24;
 /// Radius of what sky is seen through, over its distance.
 constexpr float size_of_an_opening = 0.12f;
@@ -45,7 +48,8 @@ vec3 albedo_of(const Surface& surface) {
 
 }  // namespace
 
-Patches::Patches(const TransportWorld& world) : world_(world) {
+void Patches::use(const TransportWorld& world) {
+    world_ = &world;
     glowing_ = world.emitters.balls();
     const Bounds bounds = world.scene.bounds();
     coarsest_ = facet_level(glm::length(bounds.high - bounds.low), 1.0f / 16.0f);
@@ -75,8 +79,9 @@ Patches::Met Patches::guided(const GatherPoint& from, std::uint32_t number) cons
 Patches::Met Patches::follow(const GatherPoint& from, const SurfacePoint& start, vec3 direction) const {
     Met met;
     const float density = std::max(glm::dot(direction, start.normal()), 0.0f) / pi;
+    met.direction = pack_normal(direction);
     if (from.guide != nullptr && density > 0.0f) met.guided = from.guide->density(start.position, direction) / density;
-    const auto hit = world_.scene.intersect({.origin = start.origin_towards(direction), .direction = direction});
+    const auto hit = world_->scene.intersect({.origin = start.origin_towards(direction), .direction = direction});
     if (!hit) {
         met.patch = sky;
         return met;
@@ -84,41 +89,40 @@ Patches::Met Patches::follow(const GatherPoint& from, const SurfacePoint& start,
     met.distance = hit->distance;
     if (!hit->front) return met;  // backs are black
     met.surface = true;
-    met.point = world_.scene.surface_at(*hit);
+    met.point = world_->scene.surface_at(*hit);
     met.level = std::max(facet_level(hit->distance, side_over_distance), from.level);
     met.patch = find(met.point, met.level);
     return met;
 }
 
 Guide Patches::guide_for(std::span<const Job> points) const {
-    const float sky_light = luminance(pi * world_.sky);
+    if (points.empty()) return {};
+    const float sky_light = luminance(pi * world_->sky);
     float total = 0.0f, rays = 0.0f;
     const auto brings = [&](const Link& link) { return link.patch == sky ? sky_light : link.patch == nothing ? 0.0f : luminance(seen_[link.patch]); };
     for (const Job& job : points) {
-        for (const Link& link : job.point->links) total += brings(link);
-        rays += static_cast<float>(job.point->links.size());
+        for (const Link& link : job.point->by_chance) total += brings(link);
+        rays += static_cast<float>(job.point->by_chance.size());
     }
     Guide guide;
     for (const Job& job : points) {
-        const std::vector<Link>& links = job.point->links;
-        for (std::uint32_t i = 0; i < links.size(); ++i) {
-            const float light = brings(links[i]);
+        const std::vector<Link>& links = job.point->by_chance;
+        for (const Link& link : links) {
+            const float light = brings(link);
             if (!(light > worth_a_ray * total / rays)) continue;
-            if (links[i].patch != sky) {
-                const Patch& patch = patches_[links[i].patch];
+            if (link.patch != sky) {
+                const Patch& patch = patches_[link.patch];
                 guide.add(patch.bright_place, patch.bright_radius, light);
                 continue;
             }
             // Sky is seen past something, and taken to be an opening at the distance of what was met right beside it.
-            const vec3 direction = direction_by_chance(job, i);
+            const vec3 direction = unpack_normal(link.direction);
             float nearest = 4.0f, distance = 0.0f;
-            for (std::uint32_t k = 0; k < links.size(); ++k) {
-                if (links[k].distance <= 0.0f) continue;
-                const vec3 apart = direction_by_chance(job, k) - direction;
-                if (glm::dot(apart, apart) < nearest) {
-                    nearest = glm::dot(apart, apart);
-                    distance = links[k].distance;
-                }
+            for (const Link& beside : links) {
+                const vec3 apart = unpack_normal(beside.direction) - direction;
+                if (beside.patch == sky || glm::dot(apart, apart) >= nearest) continue;
+                nearest = glm::dot(apart, apart);
+                distance = beside.distance;
             }
             if (distance > 0.0f) guide.add(job.point->point.position + distance * direction, size_of_an_opening * distance, light);
         }
@@ -143,10 +147,6 @@ void Patches::guide_to_glow(std::span<const Job> points, float rays, Guide& guid
     for (std::size_t i = 0; i < kept; ++i) guide.add(bright[i].second->place, bright[i].second->radius, rays * bright[i].first);
 }
 
-vec3 Patches::direction_by_chance(const Job& job, std::uint32_t number) {
-    return basis_around(job.point->point.normal()) * cosine_direction(SampleSequence(1, uvec2(job.seed, 0), number).pair());
-}
-
 bool Patches::belongs(const SurfacePoint& point, const Patch& patch) const {
     const SurfacePoint& middle = patch.middle.point;
     if (glm::dot(point.face, middle.face) < least_cosine) return false;
@@ -155,7 +155,7 @@ bool Patches::belongs(const SurfacePoint& point, const Patch& patch) const {
     // Close to the surface, so that low things part patches as well as walls do.
     const vec3 from = point.position + point.face * (0.02f * patch.side + point.error);
     const vec3 to = middle.position + middle.face * (0.02f * patch.side + middle.error);
-    return !world_.scene.occluded({.origin = from, .direction = to - from, .farthest = 1.0f});
+    return !world_->scene.occluded({.origin = from, .direction = to - from, .farthest = 1.0f});
 }
 
 std::uint32_t Patches::find(const SurfacePoint& point, float level) const {
@@ -210,45 +210,125 @@ void Patches::spread_samples(Patch& patch, std::uint32_t strata) const {
         const vec2 xi = SampleSequence(2, uvec2(static_cast<std::uint32_t>(patch.cell), strata), i).pair();
         const vec3 place = along_surface(middle, patch.level, (vec2(i % strata, i / strata) + xi) / static_cast<float>(strata) - within);
         const float height = most_height * patch.side + middle.error;
-        const auto hit = world_.scene.intersect({.origin = place + height * middle.face, .direction = -middle.face, .farthest = 2.0f * height});
+        const auto hit = world_->scene.intersect({.origin = place + height * middle.face, .direction = -middle.face, .farthest = 2.0f * height});
         if (!hit || !hit->front) continue;
-        const SurfacePoint point = world_.scene.surface_at(*hit);
+        const SurfacePoint point = world_->scene.surface_at(*hit);
         if (belongs(point, patch)) patch.samples.push_back({.point = point});
     }
     if (patch.samples.empty()) patch.samples.push_back({.point = middle});
 }
 
 void Patches::link(std::span<const Job> jobs) {
-    std::vector<std::size_t> first(jobs.size() + 1, 0);
-    const auto by_chance_of = [&](const Job& job) { return std::max(job.by_chance, job.point->by_chance) - job.point->by_chance; };
-    const auto guided_of = [&](const Job& job) { return job.point->guide != nullptr && !job.point->guide->empty() ? by_chance_of(job) / 2 : 0; };
-    for (std::size_t i = 0; i < jobs.size(); ++i) first[i + 1] = first[i] + by_chance_of(jobs[i]) + guided_of(jobs[i]);
-    std::vector<Met> all(first.back());
-    tbb::parallel_for(std::size_t{0}, jobs.size(), [&](std::size_t i) {
-        const Job& job = jobs[i];
-        GatherPoint& point = *job.point;
-        std::size_t at = first[i];
-        const std::uint32_t guided_rays = guided_of(job), had = static_cast<std::uint32_t>(point.links.size()) - point.by_chance;
-        for (std::uint32_t number = point.by_chance; number < job.by_chance; ++number) all[at++] = by_chance(job, number);
-        for (std::uint32_t number = had; number < had + guided_rays; ++number) all[at++] = guided(point, number);
+    std::vector<Probe> rays;
+    for (const Job& job : jobs) {
+        const GatherPoint& point = *job.point;
+        const auto by_chance = static_cast<std::uint32_t>(point.by_chance.size()), guided = static_cast<std::uint32_t>(point.guided.size());
+        for (std::uint32_t number = by_chance; number < job.by_chance; ++number) rays.push_back({&job, false, number, {}});
+        const bool guide = point.guide != nullptr && !point.guide->empty();
+        for (std::uint32_t number = guided; guide && number < job.by_chance / 2; ++number) rays.push_back({&job, true, number, {}});
+    }
+    trace(rays);
+}
+
+void Patches::trace(std::vector<Probe>& rays) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rays.size(), 32), [&](const auto& range) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i) rays[i].met = rays[i].guided ? guided(*rays[i].job->point, rays[i].number) : by_chance(*rays[i].job, rays[i].number);
     });
     // One after the other, so that the same rays make the same patches on any number of threads.
-    for (std::size_t i = 0; i < jobs.size(); ++i) {
-        for (std::size_t k = first[i]; k < first[i + 1]; ++k) {
-            Met& met = all[k];
-            if (met.surface) {
-                if (met.patch == nothing) met.patch = find(met.point, met.level);
-                if (met.patch == nothing) met.patch = add(met.point, met.level, jobs[i].patch == nothing);
-            }
-            jobs[i].point->links.push_back({met.patch, met.guided, met.distance});
+    for (Probe& ray : rays) {
+        Met& met = ray.met;
+        if (met.surface) {
+            if (met.patch == nothing) met.patch = find(met.point, met.level);
+            if (met.patch == nothing) met.patch = add(met.point, met.level, ray.job->patch == nothing);
         }
-        jobs[i].point->by_chance = std::max(jobs[i].by_chance, jobs[i].point->by_chance);
+        std::vector<Link>& links = ray.guided ? ray.job->point->guided : ray.job->point->by_chance;
+        if (ray.number >= links.size()) links.resize(ray.number + 1);
+        links[ray.number] = {met.patch, met.guided, met.distance, met.direction};
     }
+}
+
+bool Patches::passes(const GatherPoint& point, const Link& link, const Bounds& box) const {
+    if (link.patch < nothing && patches_[link.patch].gone) return true;
+    // A guided ray that went below the surface has met nothing anywhere.
+    if (link.direction == 0) return false;
+    const vec3 from = point.point.position;
+    return box.grown(packed_angle * glm::length(box.centre() - from)).meets(from, unpack_normal(link.direction), link.distance);
+}
+
+void Patches::change(const TransportWorld& world, const Bounds& box, std::span<const Job> points) {
+    use(world);
+    forget(box);
+    std::vector<Job> jobs(points.begin(), points.end());
+    for (std::uint32_t id = 0; id < grown_; ++id) {
+        if (!patches_[id].gone) jobs.push_back({.point = &patches_[id].middle, .by_chance = links_of_a_patch, .seed = id + 1, .patch = id});
+    }
+    std::vector<std::vector<Probe>> passing(jobs.size());
+    tbb::parallel_for(std::size_t{0}, jobs.size(), [&](std::size_t i) {
+        const Job& job = jobs[i];
+        // Rays of a patch start all over it.
+        const Bounds wide = job.patch == nothing ? box : box.grown(patches_[job.patch].side);
+        const auto look_at = [&](const std::vector<Link>& links, bool guided) {
+            for (std::uint32_t k = 0; k < links.size(); ++k) {
+                if (passes(*job.point, links[k], wide)) passing[i].push_back({&job, guided, k, {}});
+            }
+        };
+        look_at(job.point->by_chance, false);
+        look_at(job.point->guided, true);
+    });
+    std::vector<Probe> rays;
+    for (auto& some : passing) rays.insert(rays.end(), some.begin(), some.end());
+    trace(rays);
+}
+
+void Patches::forget(const Bounds& box) {
+    tbb::parallel_for(std::size_t{0}, patches_.size(), [&](std::size_t id) {
+        Patch& patch = patches_[id];
+        const vec3 middle = patch.middle.point.position;
+        if (box.contains(middle)) {
+            patch.gone = true;
+        } else if (box.grown(1.5f * patch.side).contains(middle)) {
+            patch.samples.clear();
+        } else {
+            for (Sample& sample : patch.samples) {
+                for (const LightParams& light : world_->lights) {
+                    const Ray ray = shadow_ray(light, sample.point);
+                    const bool near = light.position.w <= 0.0f || ray.farthest > 1.0f || glm::length(ray.direction) < light.position.w;
+                    if (near && box.meets(ray.origin, ray.direction, ray.farthest)) sample.lit = vec3(-1.0f);
+                }
+                for (const Emitters::Ball& ball : glowing_) {
+                    if (box.grown(ball.radius).meets(sample.point.position, ball.place - sample.point.position, 1.0f)) sample.lit = vec3(-1.0f);
+                }
+            }
+        }
+    });
+    for (std::uint32_t id = 0; id < patches_.size(); ++id) {
+        Patch& patch = patches_[id];
+        const auto unlit = [](const Sample& sample) { return sample.lit.x < 0.0f; };
+        if (patch.gone) {
+            patch.albedo = patch.lit = patch.glow = patch.middle.irradiance = vec3(0.0f);
+            set_radiosity(id);
+            remove_from_cell(id);
+        } else if (!patch.waiting && (patch.samples.empty() || std::ranges::any_of(patch.samples, unlit))) {
+            patch.waiting = true;
+            waiting_.push_back(id);
+        }
+    }
+    std::erase_if(waiting_, [&](std::uint32_t id) { return patches_[id].gone; });
+}
+
+void Patches::remove_from_cell(std::uint32_t id) {
+    const auto first = first_.find(patches_[id].cell);
+    if (first == first_.end()) return;
+    std::uint32_t* at = &first->second;
+    while (*at != nothing && *at != id) at = &patches_[*at].next;
+    if (*at == id) *at = patches_[id].next;
+    if (first->second == nothing) first_.erase(first);
 }
 
 bool Patches::grow(std::size_t most) {
     std::vector<Job> jobs;
     for (; grown_ < patches_.size() && jobs.size() < most; ++grown_) {
+        if (patches_[grown_].gone) continue;
         // Each its own directions: their errors cancel in what others gather from them.
         const auto id = static_cast<std::uint32_t>(grown_);
         jobs.push_back({.point = &patches_[id].middle, .by_chance = links_of_a_patch, .seed = id + 1, .patch = id});
@@ -282,7 +362,7 @@ bool Patches::light_samples(Patch& patch) const {
     const auto count = static_cast<float>(patch.samples.size());
     for (std::size_t i = 0; i < patch.samples.size(); ++i) {
         Sample& sample = patch.samples[i];
-        if (sample.lit.x < 0.0f) sample.lit = direct_irradiance(world_, sample.point, SampleSequence(4, uvec2(static_cast<std::uint32_t>(patch.cell), 0), i));
+        if (sample.lit.x < 0.0f) sample.lit = direct_irradiance(*world_, sample.point, SampleSequence(4, uvec2(static_cast<std::uint32_t>(patch.cell), 0), i));
         const vec3 albedo = albedo_of(sample.point.surface);
         patch.albedo += albedo / count;
         patch.lit += albedo * sample.lit / count;
@@ -323,27 +403,35 @@ void Patches::set_radiosity(std::uint32_t id) {
 }
 
 Patches::Gathered Patches::gather(const GatherPoint& point, const std::vector<vec3>& light) const {
-    if (point.by_chance == 0) return {};
+    if (point.by_chance.empty()) return {};
     // One-sample balance heuristic of rays by chance and guided ones (Veach & Guibas 1995): each link's light over the
     // density with which all rays together take its direction.
-    const auto by_chance = static_cast<float>(point.by_chance), all = static_cast<float>(point.links.size()), guided = all - by_chance;
-    const vec3 from_sky = pi * world_.sky;
+    const auto by_chance = static_cast<float>(point.by_chance.size()), guided = static_cast<float>(point.guided.size());
+    const vec3 sky_light = pi * world_->sky;
     vec3 sum(0.0f);
     float squares = 0.0f;
-    for (const Link& link : point.links) {
-        if (link.patch == nothing) continue;
-        const vec3 arriving = (link.patch == sky ? from_sky : light[link.patch]) / (by_chance + guided * link.guided);
-        sum += arriving;
-        const float size = luminance(arriving);
-        squares += size * size;
+    for (const std::vector<Link>* links : {&point.by_chance, &point.guided}) {
+        for (const Link& link : *links) {
+            if (link.patch == nothing) continue;
+            const vec3 arriving = (link.patch == sky ? sky_light : light[link.patch]) / (by_chance + guided * link.guided);
+            sum += arriving;
+            const float size = luminance(arriving);
+            squares += size * size;
+        }
     }
     const float mean = luminance(sum);
-    return {.irradiance = sum, .error = std::sqrt(std::max(squares - mean * mean / all, 0.0f))};
+    return {.irradiance = sum, .error = std::sqrt(std::max(squares - mean * mean / (by_chance + guided), 0.0f))};
 }
 
 vec3 Patches::from_sky(const GatherPoint& point) const {
-    if (point.by_chance == 0) return vec3(0.0f);
-    return static_cast<float>(std::ranges::count(point.links, sky, &Link::patch)) / static_cast<float>(point.by_chance) * pi * world_.sky;
+    if (point.by_chance.empty()) return vec3(0.0f);
+    return static_cast<float>(std::ranges::count(point.by_chance, sky, &Link::patch)) / static_cast<float>(point.by_chance.size()) * pi * world_->sky;
+}
+
+float Patches::mean_light() const {
+    double sum = 0.0;
+    for (const vec3& light : reflected_) sum += light.x + light.y + light.z;
+    return reflected_.empty() ? 0.0f : static_cast<float>(sum / static_cast<double>(reflected_.size()));
 }
 
 void Patches::forget_reflections(bool any) {

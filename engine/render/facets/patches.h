@@ -15,7 +15,8 @@ namespace sl {
 struct Link {
     std::uint32_t patch;  ///< or Patches::sky, ::nothing
     float guided = 0.0f;    ///< density of guided rays over that of rays by chance, for equal numbers of both
-    float distance = 0.0f;  ///< m
+    float distance = 0.0f;  ///< m; infinite to the sky
+    std::uint32_t direction = 0;  ///< pack_normal
 };
 
 /// A point on a surface whose irradiance is gathered: rays in well-spread directions find once what it sees, and whatever
@@ -24,8 +25,8 @@ struct GatherPoint {
     SurfacePoint point;
     float level = 0.0f;            ///< exponent of the side of the smallest patches that it tells apart
     const Guide* guide = nullptr;  ///< what it sends further rays to
-    std::vector<Link> links;
-    std::uint32_t by_chance = 0;   ///< rays with density cos θ / π; the other links are guided ones
+    std::vector<Link> by_chance;   ///< along rays with density cos θ / π
+    std::vector<Link> guided;      ///< along rays that the guide has drawn
     vec3 irradiance{0.0f};         ///< as last gathered, lux
 };
 
@@ -51,7 +52,11 @@ class Patches {
     };
 
     /// The world must outlive the patches.
-    explicit Patches(const TransportWorld& world);
+    explicit Patches(const TransportWorld& world) { use(world); }
+
+    /// Goes on in a world whose surfaces differ within a box alone: what lies there is forgotten, and what was seen through
+    /// it is looked for anew, by these points as well. Lights are those of before.
+    void change(const TransportWorld& world, const Bounds& box, std::span<const Job> points);
 
     /// Follows the rays that points still lack; what they meet becomes a patch where it is none yet.
     void link(std::span<const Job> jobs);
@@ -71,7 +76,8 @@ class Patches {
     Gathered gather(const GatherPoint& point) const { return gather(point, seen_); }
     /// Where rays of points near each other are best sent, judged by the links by chance that they have.
     Guide guide_for(std::span<const Job> points) const;
-    std::size_t size() const { return patches_.size(); }
+    /// Mean radiosity, summed over the colours, lux.
+    float mean_light() const;
 
   private:
     /// A place in a patch.
@@ -93,22 +99,36 @@ class Patches {
         float bright_radius = 0.0f;
         std::uint32_t strata = 0;  ///< per side, of the samples
         bool waiting = false;      ///< for its light
+        bool gone = false;         ///< its surface is no longer there
     };
     /// What a ray met.
     struct Met {
         std::uint32_t patch = nothing;  ///< or sky
-        float guided = 0.0f, distance = 0.0f;
+        float guided = 0.0f, distance = std::numeric_limits<float>::infinity();
+        std::uint32_t direction = 0;
         bool surface = false;           ///< `point` is on one, whose patch is `patch` when it was known
         float level = 0.0f;
         SurfacePoint point;
     };
 
+    /// One ray of a job.
+    struct Probe {
+        const Job* job;
+        bool guided;
+        std::uint32_t number;
+        Met met;
+    };
+
+    void use(const TransportWorld& world);
+    void trace(std::vector<Probe>& rays);
+    void forget(const Bounds& box);
+    bool passes(const GatherPoint& point, const Link& link, const Bounds& box) const;
     Met by_chance(const Job& job, std::uint32_t number) const;
     Met guided(const GatherPoint& from, std::uint32_t number) const;
     Met follow(const GatherPoint& from, const SurfacePoint& start, vec3 direction) const;
     Gathered gather(const GatherPoint& point, const std::vector<vec3>& light) const;
     void guide_to_glow(std::span<const Job> points, float rays, Guide& guide) const;
-    static vec3 direction_by_chance(const Job& job, std::uint32_t number);
+    void remove_from_cell(std::uint32_t patch);
     std::uint32_t find(const SurfacePoint& point, float level) const;
     std::uint32_t add(const SurfacePoint& point, float level, bool sharp);
     bool belongs(const SurfacePoint& point, const Patch& patch) const;
@@ -120,8 +140,8 @@ class Patches {
     /// Irradiance straight from the sky, lux.
     vec3 from_sky(const GatherPoint& point) const;
 
-    const TransportWorld& world_;
-    float coarsest_;  ///< level of the largest patches that others ask for whatever the distance
+    const TransportWorld* world_ = nullptr;
+    float coarsest_ = 0.0f;  ///< level of the largest patches that others ask for whatever the distance
     std::deque<Patch> patches_;
     std::vector<vec3> reflected_;  ///< per patch, radiosity, lux; what other patches gather: what glows has lit them already
     std::vector<vec3> seen_;       ///< the same with its own glow

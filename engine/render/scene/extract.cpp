@@ -79,7 +79,9 @@ void extract_draws(World& world, RenderScene& scene) {
         draw.bounds = transformed(mesh->bounds, draw.world_from_local);
         draw.content = hash_bytes(hash_mix(own_material, draw.first_material), &draw.world_from_local, sizeof(mat4));
         draw.content = hash_mix(hash_mix(draw.content, instance.mesh.slot), instance.mesh.generation);
+        draw.content_before = hash_mix(draw.content, mesh->version - 1);
         draw.content = hash_mix(draw.content, mesh->version);
+        if (!mesh->changed.empty()) draw.changed = transformed(mesh->changed, draw.world_from_local);
         scene.bounds.add(draw.bounds);
         scene.draws.push_back(draw);
     }

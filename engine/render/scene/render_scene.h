@@ -32,6 +32,8 @@ struct RenderScene {
         std::uint32_t first_material = 0;
         Bounds bounds;              ///< of the drawn mesh
         std::uint64_t content = 0;  ///< hash of everything that can change how it looks in a light's map
+        std::uint64_t content_before = 0;  ///< the same with the mesh's last version
+        Bounds changed;             ///< where the two differ; empty: anywhere
     };
 
     struct Light {

@@ -33,6 +33,8 @@ class Emitters {
         float radius;
         vec3 normal;
         float power;  ///< radiance times area, nit m², summed over the colours
+
+        bool operator==(const Ball&) const = default;
     };
 
     bool empty() const { return triangles_.empty(); }

@@ -82,6 +82,25 @@ TEST_F(FacetsTest, AStillPictureNoLongerChangesAfterSixteenFrames) {
     for (int frame = 0; frame < 3; ++frame) EXPECT_TRUE(same_bytes(draw(builder.scene()), settled));
 }
 
+TEST_F(FacetsTest, ABlockThatComesAndGoesIsSeenAndLeavesNoGhost) {
+    SceneBuilder builder;
+    build_rooms(builder);
+    builder.look(vec3(-3.7f, 2.5f, -1.5f), glm::normalize(vec3(1, -0.7f, 0.8f)), vec3(0, 1, 0), 1.4f);
+    const Picture before = draw(builder.scene());
+    const std::vector<RenderScene::Draw> draws = builder.scene().draws;
+    builder.add({Shape::Kind::box, vec3(0.5f)}, at(vec3(-2.2f, 0.25f, 0.3f)), vec3(0.8f, 0.2f, 0.2f));
+    const Picture with = draw(builder.scene());
+    Renderer fresh(shader_folder());
+    const Errors errors = errors_of(with, picture_of({.name = "facets", .gi = Facets{}}, builder.scene(), fresh, size));
+    EXPECT_LT(errors.nrmse, 0.04);
+    EXPECT_LT(std::abs(errors.bias), 0.01);
+    EXPECT_GT(errors_of(with, before).nrmse, 0.05) << "it does change the light";
+    builder.scene().draws = draws;
+    const Errors after = errors_of(draw(builder.scene()), before);
+    EXPECT_LT(after.nrmse, 0.04);
+    EXPECT_LT(std::abs(after.bias), 0.01);
+}
+
 TEST_F(FacetsTest, LightThatChangesIsSeenAndLeavesNoGhost) {
     SceneBuilder builder;
     build_rooms(builder);
