@@ -28,6 +28,7 @@ int run(int argc, char** argv) {
                 const sl::Flags bench = line.command("bench", "Measure speed, and speed against error");
                 bench.needs_command();
                 sl::add_bench_onoff_command(bench, flags);
+                sl::add_bench_changes_command(bench, flags);
                 sl::add_bench_gi_command(bench, flags);
                 sl::add_bench_rays_command(bench);
             },

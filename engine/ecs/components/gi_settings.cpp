@@ -3,6 +3,8 @@
 
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -35,7 +37,21 @@ constexpr FieldInfo strength_info{.min = 0, .max = 10, .help = "Factor on indire
 
 void visit_fields(FieldVisitor&, GiOff&) {}
 
+// One knob for both ends of the scale: each step of a third halves the facets' side, and the noise with it by half an octave.
+float facet_spacing(float quality) { return 16.0f * std::exp2(-3.0f * quality); }
+float facet_noise(float quality) { return 0.14142136f * std::exp2(-1.5f * quality); }
+float facet_quality(const Facets& facets) { return std::clamp(std::log2(16.0f / facets.spacing) / 3.0f, 0.0f, 1.0f); }
+
 void visit_fields(FieldVisitor& visit, Facets& facets) {
+    // No state of its own: it is read off the facets' side, and choosing another one sets that and the noise.
+    const float before = facet_quality(facets);
+    float quality = before;
+    visit.field("quality", quality, {.min = 0, .max = 1, .help = "Sets spacing and noise together: 0 is coarse and quick, 1 fine and slow to gather; frames cost the same."});
+    if (quality != before) {
+        facets.spacing = facet_spacing(quality);
+        facets.noise = facet_noise(quality);
+    }
+    visit.field("budget_ms", facets.budget_ms, {.min = 0.5, .max = 1000, .unit = "ms", .help = "What gathering may take of a frame in a window; less leaves new and changed light coarse for longer."});
     visit.field("spacing", facets.spacing, {.min = 1, .max = 64, .unit = "pixels", .help = "Width of a facet on the screen; less resolves finer light and costs with its square."});
     visit.field("noise", facets.noise, {.min = 0.005f, .max = 1, .help = "Standard error at a corner, over its irradiance, at which tracing ends; half of it costs four times as much."});
     visit.field("bounces", facets.bounces, {.min = 0, .max = 64, .help = "Reflections of light before it arrives; 64 is all that can be seen."});

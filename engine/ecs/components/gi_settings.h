@@ -50,12 +50,13 @@ struct RsmDisc {
     float strength = 1.0f;
 };
 
-/// Irradiance path traced at the corners of facets on the visible surfaces, kept in world space.
+/// Irradiance gathered at the corners of facets on the visible surfaces, from patches on all surfaces, kept in world space.
 struct Facets {
     static constexpr std::string_view name = "facets";
     static constexpr std::string_view claims = "all bounces of all lights, sky and glowing surfaces, with occlusion";
     float spacing = 8.0f;
     float noise = 0.1f;
+    float budget_ms = 8.0f;
     std::uint32_t bounces = 64;
     float strength = 1.0f;
 };

@@ -32,8 +32,9 @@ constexpr std::size_t most_reflections = 400, reflections_between = 2;
 /// Work between two looks at the clock.
 /// Of the scene's size: where more of it has changed, nothing is worth keeping.
 constexpr float most_changed = 0.5f;
+const Bounds everywhere{vec3(std::numeric_limits<float>::lowest()), vec3(std::numeric_limits<float>::max())};
 constexpr std::uint32_t looks_at_once = 4;
-constexpr std::size_t groups_at_once = 8, corners_at_once = 64, patches_at_once = 64;
+constexpr std::size_t groups_at_once = 8, corners_at_once = 64, patches_at_once = 64, reflections_at_once = 2048;
 
 float luminance(vec3 colour) { return glm::dot(colour, vec3(0.2126f, 0.7152f, 0.0722f)); }
 
@@ -77,7 +78,7 @@ class FacetCache::Deadline {
 
 float FacetCache::update(const RenderScene& scene, const FrameParams& frame, const Facets& settings, const Budget& budget) {
     const Deadline deadline(budget.seconds);
-    follow_changes(scene, settings);
+    follow_changes(scene, frame, settings);
     if (std::memcmp(&seen_.clip_from_world, &frame.clip_from_world, sizeof(mat4)) != 0 || seen_.ray_up.w != frame.ray_up.w || seen_.ray_right.w != frame.ray_right.w ||
         spacing_ != settings.spacing) {
         looks_ = 0;
@@ -87,7 +88,7 @@ float FacetCache::update(const RenderScene& scene, const FrameParams& frame, con
     do {
         // After that many, all that a still camera sees has been met.
         const std::uint32_t looks = looks_per_side(settings) * looks_per_side(settings);
-        for (std::uint32_t i = 0; looks_ < looks && (deadline.none() || (i < looks_at_once && !deadline.passed(0.3))); ++i) look(frame, settings);
+        for (std::uint32_t i = 0; looks_ < looks && (deadline.none() || (i < looks_at_once && !deadline.passed(0.3))); ++i) look(frame, settings, looks_++, everywhere);
         work(settings, deadline);
         split_where_needed();
 
@@ -107,16 +108,16 @@ float FacetCache::update(const RenderScene& scene, const FrameParams& frame, con
 float FacetCache::share_known() const {
     const auto corners = static_cast<float>(std::max<std::size_t>(corners_.size(), 1));
     const float links = 1.0f - static_cast<float>(unfinished_.size()) / corners, light = 1.0f - static_cast<float>(to_gather_) / corners;
-    return std::min(links, light) * (reflecting_ || !stale_.empty() ? 0.99f : 1.0f);
+    return std::min(links, light) * (reflecting_ || patches_->mending() || !stale_.empty() ? 0.99f : 1.0f);
 }
 
-void FacetCache::follow_changes(const RenderScene& scene, const Facets& settings) {
+void FacetCache::follow_changes(const RenderScene& scene, const FrameParams& frame, const Facets& settings) {
     const std::uint64_t materials = materials_of(scene);
     if (!world_ || materials != materials_) {
         materials_ = materials;
         start_anew(scene);
     } else {
-        if (const Bounds box = changed_surfaces(scene); !box.empty()) change_surfaces(scene, box);
+        if (const Bounds box = changed_surfaces(scene); !box.empty()) change_surfaces(scene, frame, settings, box);
         if (lights_ != scene.lights || world_->sky != scene.sky_radiance) change_lights(scene);
     }
     draws_.clear();
@@ -131,7 +132,7 @@ void FacetCache::follow_changes(const RenderScene& scene, const Facets& settings
     noise_ = settings.noise;
     if (settings.bounces != bounces_) {
         patches_->forget_reflections(settings.bounces > 0);
-        reflecting_ = true;
+        light_moves();
     }
     bounces_ = settings.bounces;
 }
@@ -152,6 +153,7 @@ void FacetCache::start_anew(const RenderScene& scene) {
     stale_.clear();
     gathered_ = to_gather_ = 0;
     reflecting_ = false;
+    reflected_ = 0;
     looks_ = 0;
     table_is_old_ = true;
 }
@@ -169,7 +171,7 @@ Bounds FacetCache::changed_surfaces(const RenderScene& scene) const {
     return result;
 }
 
-void FacetCache::change_surfaces(const RenderScene& scene, const Bounds& box) {
+void FacetCache::change_surfaces(const RenderScene& scene, const FrameParams& frame, const Facets& settings, const Bounds& box) {
     if (box.radius() > most_changed * scene.bounds.radius()) return start_anew(scene);
     auto world = std::make_unique<TransportWorld>(scene, TransportSettings{});
     // Lights are another change.
@@ -178,21 +180,32 @@ void FacetCache::change_surfaces(const RenderScene& scene, const Bounds& box) {
     world->bounces = world_->bounces;
     world->sky = world_->sky;
     world_.swap(world);
-    forget_facets(box);
+    const Bounds without_facets = forget_facets(box);
     std::vector<Patches::Job> points;
     for (std::uint32_t i = 0; i < corners_.size(); ++i) {
         if (!corners_[i].gone) points.push_back({.point = &corners_[i].at, .by_chance = 0, .seed = corners_[i].at.guide != nullptr ? 0 : i + 1});
     }
     patches_->change(*world_, box, points);
     const auto before = world->emitters.balls(), now = world_->emitters.balls();
-    forget_glow(before, now);
-    forget_glow(now, before);
-    looks_ = 0;
+    std::vector<Emitters::Ball> glowing;
+    std::ranges::copy_if(before, std::back_inserter(glowing), [&](const auto& ball) { return std::ranges::find(now, ball) == now.end(); });
+    std::ranges::copy_if(now, std::back_inserter(glowing), [&](const auto& ball) { return std::ranges::find(before, ball) == before.end(); });
+    if (!glowing.empty()) patches_->forget_light(glowing);
+    // What is seen of the changed part, at once: there must be no holes.
+    for (std::uint32_t i = 0; i < looks_per_side(settings) * looks_per_side(settings); ++i) look(frame, settings, i, without_facets);
     light_has_changed();
 }
 
-void FacetCache::forget_facets(const Bounds& box) {
-    std::erase_if(facets_, [&](const auto& entry) { return box.grown(1.5f * std::exp2(entry.second.level)).contains(entry.second.middle.position); });
+Bounds FacetCache::forget_facets(const Bounds& box) {
+    Bounds without = box;
+    std::erase_if(facets_, [&](const auto& entry) {
+        const vec3 middle = entry.second.middle.position;
+        const float side = std::exp2(entry.second.level);
+        if (!box.grown(1.5f * side).contains(middle)) return false;
+        without.add(middle - side);
+        without.add(middle + side);
+        return true;
+    });
     std::erase_if(unsplit_, [&](FacetName name) { return !facets_.contains(name); });
     for (Corner& corner : corners_) corner.gone = corner.gone || box.contains(corner.at.point.position);
     const auto gone = [&](std::uint32_t corner) { return corners_[corner].gone; };
@@ -200,36 +213,27 @@ void FacetCache::forget_facets(const Bounds& box) {
     std::erase_if(shared_corners_, [&](const auto& entry) { return box.grown(2.0f * std::exp2(corners_[entry.second].at.level)).contains(corners_[entry.second].at.point.position); });
     for (Group& group : groups_) std::erase_if(group.corners, gone);
     table_is_old_ = true;
-}
-
-void FacetCache::forget_glow(const std::vector<Emitters::Ball>& balls, const std::vector<Emitters::Ball>& same) {
-    for (const Emitters::Ball& ball : balls) {
-        // As far as it brings a hundredth of what is there on average.
-        if (std::ranges::find(same, ball) != same.end()) continue;
-        const float mean = patches_->mean_light();
-        patches_->forget_light(ball.place, mean > 0.0f ? std::sqrt(ball.power / (0.01f * mean)) : std::numeric_limits<float>::infinity());
-    }
+    return without;
 }
 
 void FacetCache::change_lights(const RenderScene& scene) {
+    const std::vector<LightParams> before = world_->lights;
     world_->relight(scene);
-    const auto reach = [&](const RenderScene::Light& light) {
-        const bool endless = light.kind == RenderScene::Light::Kind::directional || light.range <= 0.0f;
-        patches_->forget_light(light.position, endless ? std::numeric_limits<float>::infinity() : light.range);
-    };
-    const auto reach_all_but = [&](const auto& lights, const auto& same) {
-        for (const RenderScene::Light& light : lights) {
-            if (std::ranges::find(same, light) == same.end()) reach(light);
+    // What a light did where it was, and what it does where it is.
+    std::vector<LightParams> changed;
+    const auto all_but = [&](const auto& lights, const auto& params, const auto& same) {
+        for (std::size_t i = 0; i < lights.size(); ++i) {
+            if (std::ranges::find(same, lights[i]) == same.end()) changed.push_back(params[i]);
         }
     };
-    // What a light did where it was, and what it does where it is.
-    reach_all_but(lights_, scene.lights);
-    reach_all_but(scene.lights, lights_);
+    all_but(lights_, before, scene.lights);
+    all_but(scene.lights, world_->lights, lights_);
+    patches_->forget_light(changed);
     light_has_changed();
 }
 
 void FacetCache::light_has_changed() {
-    reflecting_ = true;
+    light_moves();
     // Guides know nothing of light that is new.
     stale_.clear();
     for (std::uint32_t group = 0; group < groups_.size(); ++group) {
@@ -240,16 +244,17 @@ void FacetCache::light_has_changed() {
     }
 }
 
-void FacetCache::look(const FrameParams& frame, const Facets& settings) {
+void FacetCache::look(const FrameParams& frame, const Facets& settings, std::uint32_t number, const Bounds& where) {
     const vec2 size(frame.ray_right.w, frame.ray_up.w);
     const float spacing = std::max(settings.spacing, 1.0f);
     const uvec2 count(glm::ceil(size / spacing));
     const float side = facet_side_over_distance(frame, settings);
-    const vec2 within = place_of_look(looks_++, looks_per_side(settings));
+    const vec2 within = place_of_look(number, looks_per_side(settings));
     std::vector<std::optional<SurfacePoint>> hits(std::size_t{count.x} * count.y);
     tbb::parallel_for(std::size_t{0}, hits.size(), [&](std::size_t i) {
         const vec2 pixel = glm::min(glm::floor((vec2(i % count.x, i / count.x) + within) * spacing), size - 1.0f), at = (pixel + 0.5f) / size;
         const Ray ray{.origin = vec3(frame.camera_position), .direction = view_ray(frame, vec2(2.0f * at.x - 1.0f, 1.0f - 2.0f * at.y)), .nearest = frame.camera_position.w};
+        if (!where.meets(ray.origin, ray.direction, std::numeric_limits<float>::infinity())) return;
         if (const auto hit = world_->scene.intersect_front(ray)) hits[i] = world_->scene.surface_at(*hit);
     });
     const auto known = static_cast<std::ptrdiff_t>(unfinished_.size());
@@ -307,19 +312,27 @@ std::uint32_t FacetCache::corner_of(Facet& facet, FacetName name, vec2 within, u
 void FacetCache::work(const Facets& settings, const Deadline& deadline) {
     // Those without links come first, and nothing is refined before light has gone round once.
     std::stable_partition(unfinished_.begin(), unfinished_.end(), [&](std::uint32_t corner) { return corners_[corner].at.by_chance.empty(); });
-    while (patches_->renew(patches_at_once)) {
-        reflecting_ = true;
-        if (deadline.passed(0.5)) break;
+    // What is missing goes before what is wrong, and that before what is rough.
+    link_corners(settings, first_links, 0.35, deadline);
+    while (patches_->renewing() && !deadline.passed(0.6)) {
+        patches_->renew(patches_at_once);
+        light_moves();
     }
-    link_corners(first_links, deadline);
+    while (!patches_->renewing() && !deadline.passed(0.5) && patches_->mend(patches_at_once)) light_moves();
     do {
-        while (!deadline.passed(0.7) && patches_->renew(patches_at_once)) reflecting_ = true;
-    } while (!deadline.passed(0.6) && patches_->grow(patches_at_once));
+        while (!deadline.passed(0.5) && patches_->renew(patches_at_once)) light_moves();
+    } while (!deadline.passed(0.5) && patches_->grow(patches_at_once));
     reflect(settings, deadline);
     gather(settings, deadline);
     guide_corners();
-    link_corners(most_links, deadline);
-    if (unfinished_.empty() && !reflecting_) look_for_other_lights(deadline);
+    link_corners(settings, most_links, 1.0, deadline);
+    if (unfinished_.empty() && !reflecting_ && !patches_->mending() && to_gather_ == 0) look_for_other_lights(deadline);
+}
+
+void FacetCache::light_moves() {
+    reflecting_ = true;
+    largest_change_ = std::numeric_limits<float>::infinity();
+    to_gather_ = corners_.size();
 }
 
 void FacetCache::look_for_other_lights(const Deadline& deadline) {
@@ -357,11 +370,11 @@ void FacetCache::guide_corners() {
     unguided_.insert(unguided_.end(), waiting.begin(), waiting.end());
 }
 
-void FacetCache::link_corners(std::uint32_t most, const Deadline& deadline) {
+void FacetCache::link_corners(const Facets& settings, std::uint32_t most, double share, const Deadline& deadline) {
     std::vector<Patches::Job> jobs;
     std::size_t done = 0;
     std::vector<std::uint32_t> again;
-    while (done < unfinished_.size() && !deadline.passed(0.8)) {
+    while (done < unfinished_.size() && !deadline.passed(share)) {
         jobs.clear();
         const std::size_t first = done;
         for (; done < unfinished_.size() && jobs.size() < corners_at_once; ++done) {
@@ -376,34 +389,43 @@ void FacetCache::link_corners(std::uint32_t most, const Deadline& deadline) {
         again.insert(again.end(), unfinished_.begin() + static_cast<std::ptrdiff_t>(first), unfinished_.begin() + static_cast<std::ptrdiff_t>(done));
         if (jobs.empty()) break;
         patches_->link(jobs);
-        while (!deadline.passed(0.8) && patches_->renew(patches_at_once)) {}
-        reflecting_ = true;
+        while (!deadline.passed(0.5) && patches_->renew(patches_at_once)) {}
+        light_moves();
+        // At once, for what there is: until then a new place is dark.
+        tbb::parallel_for(first, done, [&](std::size_t i) { judge(unfinished_[i], settings); });
+        table_is_old_ = true;
     }
     unfinished_.erase(unfinished_.begin(), unfinished_.begin() + static_cast<std::ptrdiff_t>(done));
     unfinished_.insert(unfinished_.end(), again.begin(), again.end());
-    if (!again.empty()) to_gather_ = corners_.size();
 }
 
 void FacetCache::reflect(const Facets& settings, const Deadline& deadline) {
     if (!reflecting_) return;
-    to_gather_ = corners_.size();
-    reflecting_ = false;
     if (!goes_on_for_ever(settings)) {
         patches_->forget_reflections(settings.bounces > 0);
-        for (std::uint32_t i = 1; i < settings.bounces; ++i) patches_->reflect();
+        for (std::uint32_t i = 1; i < settings.bounces; ++i) patches_->reflect(0, patches_->size());
+        reflecting_ = false;
+        to_gather_ = corners_.size();
         return;
     }
-    for (std::size_t i = 0; i < most_reflections; ++i) {
-        reflecting_ = patches_->reflect() > settled;
+    // In turns, and over when a whole round has changed nothing that could be seen.
+    const std::size_t slice = deadline.none() ? patches_->size() : reflections_at_once;
+    for (std::size_t rounds = 0; reflecting_ && !patches_->renewing() && !deadline.passed(0.7);) {
+        const std::size_t last = std::min(reflected_ + slice, patches_->size());
+        largest_change_ = std::max(largest_change_, patches_->reflect(reflected_, last));
+        to_gather_ = corners_.size();
+        reflected_ = last;
+        if (reflected_ < patches_->size()) continue;
+        reflected_ = 0;
+        reflecting_ = std::exchange(largest_change_, 0.0f) > settled * patches_->mean_light();
         // Light settles when nothing else is left to do.
-        if (!reflecting_ || !deadline.none() || (!unfinished_.empty() && i + 1 >= reflections_between)) return;
+        if (++rounds == (unfinished_.empty() ? most_reflections : reflections_between)) break;
     }
-    reflecting_ = false;
 }
 
 void FacetCache::gather(const Facets& settings, const Deadline& deadline) {
     const std::size_t all = corners_.size();
-    while (to_gather_ > 0 && !deadline.passed()) {
+    for (bool first = true; to_gather_ > 0 && (first || !deadline.passed()); first = false) {
         const std::size_t batch = std::min(to_gather_, 4 * corners_at_once);
         tbb::parallel_for(std::size_t{0}, batch, [&](std::size_t i) { judge(static_cast<std::uint32_t>((gathered_ + i) % all), settings); });
         gathered_ = (gathered_ + batch) % all;
@@ -418,6 +440,7 @@ void FacetCache::judge(std::uint32_t corner, const Facets& settings) {
     if (it.at.by_chance.empty()) return;
     const Patches::Gathered gathered = patches_->gather(it.at);
     it.at.irradiance = gathered.irradiance;
+    it.lit = true;
     const float mean = luminance(gathered.irradiance);
     const std::size_t links = it.at.by_chance.size();
     // Without a guide it may have missed the brightest thing.
@@ -462,6 +485,8 @@ void FacetCache::fill_table() {
     std::vector<FacetEntry> entries;
     entries.reserve(facets_.size());
     for (const auto& [name, facet] : facets_) {
+        // Where there is no light yet, a coarser one stands in.
+        if (std::ranges::any_of(facet.corners, [&](std::uint32_t corner) { return !corners_[corner].lit; })) continue;
         FacetEntry& entry = entries.emplace_back(FacetEntry{.name = name, .irradiance = {}, .split = facet.split});
         for (std::size_t corner = 0; corner < 4; ++corner) entry.irradiance[corner] = corners_[facet.corners[corner]].at.irradiance;
     }

@@ -36,6 +36,7 @@ class FacetCache {
     struct Corner {
         GatherPoint at;
         std::uint32_t group = 0;
+        bool lit = false;   ///< it was gathered at least once
         bool done = false;
         bool gone = false;  ///< its surface is no longer there
     };
@@ -54,22 +55,23 @@ class FacetCache {
     };
     class Deadline;
 
-    void follow_changes(const RenderScene& scene, const Facets& settings);
+    void follow_changes(const RenderScene& scene, const FrameParams& frame, const Facets& settings);
     void start_anew(const RenderScene& scene);
     void change_lights(const RenderScene& scene);
     Bounds changed_surfaces(const RenderScene& scene) const;
-    void change_surfaces(const RenderScene& scene, const Bounds& box);
-    void forget_facets(const Bounds& box);
-    void forget_glow(const std::vector<Emitters::Ball>& balls, const std::vector<Emitters::Ball>& same);
+    void change_surfaces(const RenderScene& scene, const FrameParams& frame, const Facets& settings, const Bounds& box);
+    /// Returns where there are none now.
+    Bounds forget_facets(const Bounds& box);
     void light_has_changed();
-    void look(const FrameParams& frame, const Facets& settings);
+    void look(const FrameParams& frame, const Facets& settings, std::uint32_t number, const Bounds& where);
     void add(const SurfacePoint& point, float level, std::uint32_t depth);
     std::uint32_t corner_of(Facet& facet, FacetName name, vec2 within, uvec2 lattice);
     void work(const Facets& settings, const Deadline& deadline);
     void guide_corners();
     void look_for_other_lights(const Deadline& deadline);
     void link_anew(std::uint32_t corner, const Guide* guide);
-    void link_corners(std::uint32_t least, const Deadline& deadline);
+    void link_corners(const Facets& settings, std::uint32_t most, double share, const Deadline& deadline);
+    void light_moves();
     void reflect(const Facets& settings, const Deadline& deadline);
     void gather(const Facets& settings, const Deadline& deadline);
     void judge(std::uint32_t corner, const Facets& settings);
@@ -94,6 +96,8 @@ class FacetCache {
     std::vector<std::uint32_t> unfinished_;  ///< corners that want more links, those with fewest first
     std::vector<FacetName> unsplit_;         ///< facets that were not asked yet whether to split
     bool reflecting_ = false;         ///< light between patches has not settled
+    std::size_t reflected_ = 0;       ///< the patch whose turn it is to reflect
+    float largest_change_ = 0.0f;     ///< in this round
     std::size_t gathered_ = 0;        ///< the corner whose turn it is to gather
     std::size_t to_gather_ = 0;       ///< corners whose patches have changed since
     FacetTable table_;

@@ -22,6 +22,10 @@ constexpr float side_over_distance = 0.25f;
 constexpr std::uint32_t links_of_a_patch = 32;
 /// Strata, per side, in which a patch's direct light is sampled: of one that is lit evenly, and of one with a shadow's edge.
 constexpr std::uint32_t few_strata = 4, many_strata = 8;
+/// Of them, how many are lit for a first estimate of light that has changed.
+constexpr std::size_t first_samples = 4;
+/// Light that brings less than this share of what is there may change unnoticed.
+constexpr float too_little = 0.005f;
 /// Samples that differ by more than this share of their mean are uneven.
 constexpr float even = 0.25f;
 /// Farther apart in one cell, surfaces are other patches: normals, and heights over the side.
@@ -188,14 +192,14 @@ std::uint32_t Patches::add(const SurfacePoint& point, float level, bool sharp) {
     Patch& patch = patches_.emplace_back();
     patch.middle.point = point;
     // What patches see is told apart less finely from one to the next; else one small patch would ask for such ones all over.
+    patch.sharp = sharp;
     patch.middle.level = sharp ? level : std::min(level + 1.0f, std::max(level, coarsest_));
     patch.cell = name;
     patch.level = level;
     patch.side = std::exp2(level);
     const auto [first, fresh] = first_.try_emplace(name, id);
     if (!fresh) patch.next = std::exchange(first->second, id);
-    patch.waiting = true;
-    waiting_.push_back(id);
+    wait(id);
     reflected_.push_back(vec3(0.0f));
     seen_.push_back(vec3(0.0f));
     return id;
@@ -250,23 +254,37 @@ void Patches::trace(std::vector<Probe>& rays) {
 bool Patches::passes(const GatherPoint& point, const Link& link, const Bounds& box) const {
     if (link.patch < nothing && patches_[link.patch].gone) return true;
     // A guided ray that went below the surface has met nothing anywhere.
-    if (link.direction == 0) return false;
-    const vec3 from = point.point.position;
-    return box.grown(packed_angle * glm::length(box.centre() - from)).meets(from, unpack_normal(link.direction), link.distance);
+    return link.direction != 0 && box.meets(point.point.position, unpack_normal(link.direction), link.distance);
 }
 
 void Patches::change(const TransportWorld& world, const Bounds& box, std::span<const Job> points) {
     use(world);
     forget(box);
-    std::vector<Job> jobs(points.begin(), points.end());
-    for (std::uint32_t id = 0; id < grown_; ++id) {
+    relink(points, box);
+    // What patches see of each other can wait.
+    changes_.push_back({.box = box});
+}
+
+bool Patches::mend(std::size_t most) {
+    if (changes_.empty()) return false;
+    PastChange& change = changes_.front();
+    std::vector<Job> jobs;
+    for (; change.mended < grown_ && jobs.size() < most; ++change.mended) {
+        const auto id = static_cast<std::uint32_t>(change.mended);
         if (!patches_[id].gone) jobs.push_back({.point = &patches_[id].middle, .by_chance = links_of_a_patch, .seed = id + 1, .patch = id});
     }
+    relink(jobs, change.box);
+    if (change.mended >= grown_) changes_.erase(changes_.begin());
+    return true;
+}
+
+void Patches::relink(std::span<const Job> jobs, const Bounds& box) {
     std::vector<std::vector<Probe>> passing(jobs.size());
     tbb::parallel_for(std::size_t{0}, jobs.size(), [&](std::size_t i) {
         const Job& job = jobs[i];
         // Rays of a patch start all over it.
-        const Bounds wide = job.patch == nothing ? box : box.grown(patches_[job.patch].side);
+        const float start = job.patch == nothing ? 0.0f : patches_[job.patch].side;
+        const Bounds wide = box.grown(start + packed_angle * glm::length(box.centre() - job.point->point.position));
         const auto look_at = [&](const std::vector<Link>& links, bool guided) {
             for (std::uint32_t k = 0; k < links.size(); ++k) {
                 if (passes(*job.point, links[k], wide)) passing[i].push_back({&job, guided, k, {}});
@@ -289,31 +307,40 @@ void Patches::forget(const Bounds& box) {
         } else if (box.grown(1.5f * patch.side).contains(middle)) {
             patch.samples.clear();
         } else {
-            for (Sample& sample : patch.samples) {
-                for (const LightParams& light : world_->lights) {
-                    const Ray ray = shadow_ray(light, sample.point);
-                    const bool near = light.position.w <= 0.0f || ray.farthest > 1.0f || glm::length(ray.direction) < light.position.w;
-                    if (near && box.meets(ray.origin, ray.direction, ray.farthest)) sample.lit = vec3(-1.0f);
-                }
-                for (const Emitters::Ball& ball : glowing_) {
-                    if (box.grown(ball.radius).meets(sample.point.position, ball.place - sample.point.position, 1.0f)) sample.lit = vec3(-1.0f);
-                }
-            }
+            forget_shadows(patch, box);
         }
     });
     for (std::uint32_t id = 0; id < patches_.size(); ++id) {
         Patch& patch = patches_[id];
-        const auto unlit = [](const Sample& sample) { return sample.lit.x < 0.0f; };
+        const auto unlit = [](const Sample& sample) { return !sample.known; };
         if (patch.gone) {
             patch.albedo = patch.lit = patch.glow = patch.middle.irradiance = vec3(0.0f);
             set_radiosity(id);
             remove_from_cell(id);
-        } else if (!patch.waiting && (patch.samples.empty() || std::ranges::any_of(patch.samples, unlit))) {
-            patch.waiting = true;
-            waiting_.push_back(id);
+        } else if (patch.samples.empty() || std::ranges::any_of(patch.samples, unlit)) {
+            wait(id);
         }
     }
-    std::erase_if(waiting_, [&](std::uint32_t id) { return patches_[id].gone; });
+    const auto gone = [&](std::uint32_t id) { return patches_[id].gone; };
+    std::erase_if(waiting_, gone);
+    std::erase_if(rough_, gone);
+}
+
+void Patches::forget_shadows(Patch& patch, const Bounds& box) const {
+    const SurfacePoint& middle = patch.middle.point;
+    for (const LightParams& light : world_->lights) {
+        const Ray to_light = shadow_ray(light, middle);
+        const bool far = light.position.w > 0.0f && to_light.farthest <= 1.0f && glm::length(to_light.direction) > light.position.w + patch.side;
+        if (far || !box.grown(1.5f * patch.side).meets(to_light.origin, to_light.direction, to_light.farthest)) continue;
+        for (Sample& sample : patch.samples) {
+            const Ray ray = shadow_ray(light, sample.point);
+            sample.known = sample.known && !box.meets(ray.origin, ray.direction, ray.farthest);
+        }
+    }
+    for (const Emitters::Ball& ball : glowing_) {
+        if (!box.grown(ball.radius + 1.5f * patch.side).meets(middle.position, ball.place - middle.position, 1.0f)) continue;
+        for (Sample& sample : patch.samples) sample.known = false;
+    }
 }
 
 void Patches::remove_from_cell(std::uint32_t id) {
@@ -337,35 +364,97 @@ bool Patches::grow(std::size_t most) {
     return !jobs.empty();
 }
 
-void Patches::forget_light(vec3 middle, float radius) {
+void Patches::wait(std::uint32_t id) {
+    if (!std::exchange(patches_[id].waiting, true)) waiting_.push_back(id);
+}
+
+/// `irradiance`: of a patch, at most, by what has changed, lux.
+template <class Irradiance>
+void Patches::forget_where(Irradiance&& irradiance) {
+    std::vector<char> matters(patches_.size());
+    tbb::parallel_for(std::size_t{0}, patches_.size(), [&](std::size_t i) {
+        const Patch& patch = patches_[i];
+        const float known = patch.samples.empty() ? 0.0f : luminance(reflected_[i]) / std::max(luminance(patch.albedo), 1e-3f);
+        matters[i] = !patch.gone && irradiance(patch) > too_little * known ? 1 : 0;
+    });
     for (std::uint32_t id = 0; id < patches_.size(); ++id) {
-        Patch& patch = patches_[id];
-        if (!(glm::length(patch.middle.point.position - middle) < radius + 2.0f * patch.side)) continue;
-        for (Sample& sample : patch.samples) sample.lit = vec3(-1.0f);
-        if (!patch.waiting) waiting_.push_back(id);
-        patch.waiting = true;
+        if (matters[id] == 0) continue;
+        for (Sample& sample : patches_[id].samples) sample.known = false;
+        wait(id);
     }
+    // Those that are seen before those that light them.
+    std::ranges::stable_partition(waiting_, [&](std::uint32_t id) { return patches_[id].sharp; });
+}
+
+void Patches::forget_light(std::span<const LightParams> lights) {
+    forget_where([&](const Patch& patch) {
+        float most = 0.0f;
+        for (const LightParams& light : lights) {
+            // Nearest to the light as far as the patch reaches.
+            const SurfacePoint& point = patch.middle.point;
+            vec3 place = point.position;
+            if (light.kind.x != light_directional) {
+                const vec3 offset = vec3(light.position) - place;
+                const float distance = glm::length(offset);
+                if (distance <= 1.5f * patch.side) return std::numeric_limits<float>::infinity();
+                place += offset * (patch.side / distance);
+            }
+            const Incident incident = incident_light(light, place);
+            if (glm::dot(point.normal(), vec3(incident.to_light)) > -0.2f) most = std::max(most, luminance(vec3(incident.irradiance)));
+        }
+        return most;
+    });
+}
+
+void Patches::forget_light(std::span<const Emitters::Ball> glowing) {
+    forget_where([&](const Patch& patch) {
+        float sum = 0.0f;
+        for (const Emitters::Ball& ball : glowing) {
+            const vec3 offset = ball.place - patch.middle.point.position;
+            const float distance = std::max(glm::length(offset) - patch.side, ball.radius);
+            if (glm::dot(offset, patch.middle.point.face) > -patch.side - ball.radius) sum += ball.power / (3.0f * distance * distance);
+        }
+        return sum;
+    });
 }
 
 bool Patches::renew(std::size_t most) {
-    const std::size_t count = std::min(most, waiting_.size());
-    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) { light(waiting_[i]); });
-    waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(count));
+    const bool rough = !waiting_.empty();
+    std::vector<std::uint32_t>& list = rough ? waiting_ : rough_;
+    const std::size_t count = std::min(most, list.size());
+    const auto end = list.begin() + static_cast<std::ptrdiff_t>(count);
+    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) { light(list[i], !rough); });
+    if (rough) {
+        std::copy_if(list.begin(), end, std::back_inserter(rough_), [&](std::uint32_t id) { return patches_[id].waiting; });
+        for (auto it = list.begin(); it != end; ++it) patches_[*it].waiting = false;
+    }
+    list.erase(list.begin(), end);
     return count > 0;
 }
 
-bool Patches::light_samples(Patch& patch) const {
+bool Patches::light_samples(Patch& patch, std::size_t every) const {
+    // Of samples that are still in other light, the mean differs as much as of those that were asked.
+    vec3 change(0.0f);
+    float asked = 0.0f;
+    for (std::size_t i = every / 2; i < patch.samples.size(); i += every) {
+        Sample& sample = patch.samples[i];
+        if (sample.known) continue;
+        const vec3 lit = direct_irradiance(*world_, sample.point, SampleSequence(4, uvec2(static_cast<std::uint32_t>(patch.cell), 0), static_cast<std::uint32_t>(i)));
+        change += albedo_of(sample.point.surface) * (lit - sample.lit);
+        ++asked;
+        sample.lit = lit;
+        sample.known = true;
+    }
     patch.albedo = patch.lit = patch.glow = vec3(0.0f);
     float low = std::numeric_limits<float>::infinity(), high = 0.0f, sum = 0.0f;
     vec3 bright(0.0f);
     std::array<float, many_strata * many_strata> brightness{};
     const auto count = static_cast<float>(patch.samples.size());
     for (std::size_t i = 0; i < patch.samples.size(); ++i) {
-        Sample& sample = patch.samples[i];
-        if (sample.lit.x < 0.0f) sample.lit = direct_irradiance(*world_, sample.point, SampleSequence(4, uvec2(static_cast<std::uint32_t>(patch.cell), 0), i));
+        const Sample& sample = patch.samples[i];
         const vec3 albedo = albedo_of(sample.point.surface);
         patch.albedo += albedo / count;
-        patch.lit += albedo * sample.lit / count;
+        patch.lit += (albedo * sample.lit + (sample.known ? vec3(0.0f) : change / std::max(asked, 1.0f))) / count;
         patch.glow += pi * sample.point.emission / count;
         const float size = luminance(albedo * sample.lit + pi * sample.point.emission);
         brightness[i] = size;
@@ -374,6 +463,7 @@ bool Patches::light_samples(Patch& patch) const {
         high = std::max(high, size);
         sum += size;
     }
+    patch.lit = glm::max(patch.lit, vec3(0.0f));
     // What of it is bright: the mean place, and twice the spread around it.
     patch.bright_place = sum > 0.0f ? bright / sum : patch.middle.point.position;
     float spread = 0.0f;
@@ -385,13 +475,19 @@ bool Patches::light_samples(Patch& patch) const {
     return high - low > even * sum / count;
 }
 
-void Patches::light(std::uint32_t id) {
+void Patches::light(std::uint32_t id, bool all) {
     Patch& patch = patches_[id];
-    patch.waiting = false;
-    if (patch.samples.empty()) spread_samples(patch, few_strata);
-    if (light_samples(patch) && patch.strata < many_strata) {
+    if (patch.samples.empty()) {
+        spread_samples(patch, few_strata);
+        all = true;
+    }
+    const std::size_t every = all ? 1 : std::max<std::size_t>(patch.samples.size() / first_samples, 1);
+    const bool uneven = light_samples(patch, every);
+    // Stays on the list of those that want all their samples.
+    patch.waiting = every > 1;
+    if (every == 1 && uneven && patch.strata < many_strata) {
         spread_samples(patch, many_strata);
-        light_samples(patch);
+        light_samples(patch, 1);
     }
     set_radiosity(id);
 }
@@ -430,7 +526,7 @@ vec3 Patches::from_sky(const GatherPoint& point) const {
 
 float Patches::mean_light() const {
     double sum = 0.0;
-    for (const vec3& light : reflected_) sum += light.x + light.y + light.z;
+    for (const vec3& light : reflected_) sum += luminance(light);
     return reflected_.empty() ? 0.0f : static_cast<float>(sum / static_cast<double>(reflected_.size()));
 }
 
@@ -442,22 +538,16 @@ void Patches::forget_reflections(bool any) {
     }
 }
 
-float Patches::reflect() {
-    std::vector<float> change(patches_.size()), size(patches_.size());
-    tbb::parallel_for(std::size_t{0}, patches_.size(), [&](std::size_t i) {
+float Patches::reflect(std::size_t first, std::size_t last) {
+    std::vector<float> change(last - first);
+    tbb::parallel_for(first, last, [&](std::size_t i) {
         GatherPoint& middle = patches_[i].middle;
         const vec3 before = middle.irradiance;
         middle.irradiance = gather(middle, reflected_).irradiance;
-        change[i] = luminance(glm::abs(middle.irradiance - before) * patches_[i].albedo);
-        size[i] = luminance(patches_[i].lit + patches_[i].albedo * middle.irradiance);
+        change[i - first] = luminance(glm::abs(middle.irradiance - before) * patches_[i].albedo);
     });
-    double most = 0.0, total = 0.0;
-    for (std::uint32_t i = 0; i < patches_.size(); ++i) {
-        most = std::max(most, double{change[i]});
-        total += size[i];
-        set_radiosity(i);
-    }
-    return total > 0.0 ? static_cast<float>(most * static_cast<double>(patches_.size()) / total) : 0.0f;
+    for (auto i = static_cast<std::uint32_t>(first); i < last; ++i) set_radiosity(i);
+    return change.empty() ? 0.0f : *std::ranges::max_element(change);
 }
 
 }  // namespace sl

@@ -57,18 +57,26 @@ class Patches {
     /// Goes on in a world whose surfaces differ within a box alone: what lies there is forgotten, and what was seen through
     /// it is looked for anew, by these points as well. Lights are those of before.
     void change(const TransportWorld& world, const Bounds& box, std::span<const Job> points);
+    /// The same for links of at most `most` patches to each other; false when no change is left to follow.
+    bool mend(std::size_t most);
+    bool mending() const { return !changes_.empty(); }
 
     /// Follows the rays that points still lack; what they meet becomes a patch where it is none yet.
     void link(std::span<const Job> jobs);
     /// Links of patches themselves, of at most `most` of them; those found last come last. False when none lacks any.
     bool grow(std::size_t most);
 
-    /// The lights within reach of a sphere have changed: the light of its patches is asked for anew, by `renew`.
-    void forget_light(vec3 middle, float radius);
-    /// Direct light of at most `most` patches that wait for it; false when none does.
+    /// These lights have gone or come: where one matters, the light of patches is asked for anew, by `renew`.
+    void forget_light(std::span<const LightParams> lights);
+    void forget_light(std::span<const Emitters::Ball> glowing);
+    /// Direct light of at most `most` patches that wait for it, a first estimate before what lights it evenly; false when
+    /// none does.
     bool renew(std::size_t most);
-    /// One more reflection everywhere. Returns the largest change of a patch's light over the mean of all.
-    float reflect();
+    /// Whether some have not even a first estimate.
+    bool renewing() const { return !waiting_.empty(); }
+    /// One more reflection from these patches. Returns the largest change of one's luminance, lux.
+    float reflect(std::size_t first, std::size_t last);
+    std::size_t size() const { return patches_.size(); }
     /// Starts again with light of one reflection; `any` false: of none, and patches are black.
     void forget_reflections(bool any);
 
@@ -76,14 +84,15 @@ class Patches {
     Gathered gather(const GatherPoint& point) const { return gather(point, seen_); }
     /// Where rays of points near each other are best sent, judged by the links by chance that they have.
     Guide guide_for(std::span<const Job> points) const;
-    /// Mean radiosity, summed over the colours, lux.
+    /// Mean luminance of what patches reflect, lux.
     float mean_light() const;
 
   private:
     /// A place in a patch.
     struct Sample {
         SurfacePoint point;
-        vec3 lit{-1.0f};  ///< irradiance straight from lights and what glows, lux; negative while it is not known
+        vec3 lit{0.0f};      ///< irradiance straight from lights and what glows, lux
+        bool known = false;  ///< false: that was in other light
     };
     struct Patch {
         GatherPoint middle;
@@ -98,8 +107,14 @@ class Patches {
         vec3 bright_place{0.0f};  ///< middle of what of it is lit
         float bright_radius = 0.0f;
         std::uint32_t strata = 0;  ///< per side, of the samples
+        bool sharp = false;        ///< seen by more than other patches
         bool waiting = false;      ///< for its light
         bool gone = false;         ///< its surface is no longer there
+    };
+    /// A box whose surfaces have changed, and how far patches have followed.
+    struct PastChange {
+        Bounds box;
+        std::size_t mended = 0;
     };
     /// What a ray met.
     struct Met {
@@ -122,6 +137,8 @@ class Patches {
     void use(const TransportWorld& world);
     void trace(std::vector<Probe>& rays);
     void forget(const Bounds& box);
+    void forget_shadows(Patch& patch, const Bounds& box) const;
+    void relink(std::span<const Job> jobs, const Bounds& box);
     bool passes(const GatherPoint& point, const Link& link, const Bounds& box) const;
     Met by_chance(const Job& job, std::uint32_t number) const;
     Met guided(const GatherPoint& from, std::uint32_t number) const;
@@ -133,9 +150,12 @@ class Patches {
     std::uint32_t add(const SurfacePoint& point, float level, bool sharp);
     bool belongs(const SurfacePoint& point, const Patch& patch) const;
     void spread_samples(Patch& patch, std::uint32_t strata) const;
-    /// Returns whether they disagree.
-    bool light_samples(Patch& patch) const;
-    void light(std::uint32_t patch);
+    /// Lights each `every`th sample; returns whether they disagree.
+    bool light_samples(Patch& patch, std::size_t every) const;
+    void light(std::uint32_t patch, bool all);
+    template <class Irradiance>
+    void forget_where(Irradiance&& irradiance);
+    void wait(std::uint32_t patch);
     void set_radiosity(std::uint32_t patch);
     /// Irradiance straight from the sky, lux.
     vec3 from_sky(const GatherPoint& point) const;
@@ -147,7 +167,9 @@ class Patches {
     std::vector<vec3> seen_;       ///< the same with its own glow
     std::vector<Emitters::Ball> glowing_;
     std::unordered_map<FacetName, std::uint32_t> first_;  ///< of a cell
-    std::vector<std::uint32_t> waiting_;             ///< for direct light
+    std::vector<std::uint32_t> waiting_;  ///< for direct light
+    std::vector<PastChange> changes_;
+    std::vector<std::uint32_t> rough_;    ///< of whose samples few are lit
     bool black_ = false;     ///< patches reflect nothing
     std::size_t grown_ = 0;  ///< patches before it have links of their own
 };

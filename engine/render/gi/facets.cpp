@@ -6,13 +6,6 @@
 
 namespace sl {
 
-namespace {
-
-/// What a window spends on tracing in a frame, s.
-constexpr double window_seconds = 0.008;
-
-}  // namespace
-
 GiResult indirect_light(const FrameInput& frame, const GBuffer& gbuffer, const Facets& settings) {
     FacetLight& light = frame.facets;
     float progress = 0.0f;
@@ -20,7 +13,7 @@ GiResult indirect_light(const FrameInput& frame, const GBuffer& gbuffer, const F
     // A capture's frames before its last one are not looked at.
     if (frame.slice_budget > 0) {
         const bool at_once = frame.slice_budget == ~0u;
-        progress = light.cache.update(frame.scene, frame.params, settings, {.seconds = at_once ? 0.0 : window_seconds});
+        progress = light.cache.update(frame.scene, frame.params, settings, {.seconds = at_once ? 0.0 : 1e-3 * settings.budget_ms});
     }
     const FacetTable& table = light.cache.table();
     if (table.slots == 0) return {.irradiance = frame.graph.black(), .progress = progress};

@@ -112,7 +112,7 @@ TEST_F(FacetsTest, LightThatChangesIsSeenAndLeavesNoGhost) {
     const Errors errors = errors_of(changed, picture_of({.name = "facets", .gi = Facets{}}, builder.scene(), fresh, size));
     // Not byte for byte: links are kept, and how many there are tells of both lights.
     EXPECT_LT(errors.nrmse, 0.03);
-    EXPECT_LT(std::abs(errors.bias), 0.005);
+    EXPECT_LT(std::abs(errors.bias), 0.01);
 }
 
 }  // namespace

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include <nlohmann/json.hpp>
+
+#include "engine/core/error.h"
+#include "engine/core/text_file.h"
+#include "engine/ecs/components.h"
+#include "engine/ecs/query.h"
+#include "engine/measure/metrics.h"
+#include "engine/render/pass_times.h"
+#include "engine/render/scene/extract.h"
+#include "game/app/bench_side.h"
+#include "game/app/progress.h"
+#include "game/voxel_content.h"
+
+namespace sl {
+
+namespace {
+
+/// Tells the torch from other lights, m.
+constexpr float torch_range = 15.5f;
+
+struct ChangesFlags {
+    std::string size = "640x360";
+    std::vector<std::string> scenes{"outdoor", "indoor"};
+    std::string gi = "facets";
+    std::vector<std::string> sets;
+    std::uint32_t frames = 16;
+    std::string json;
+};
+
+/// Something that happens in a game, and what has to be there first.
+struct Change {
+    std::string name;
+    std::function<void(World&)> prepare, make;
+};
+
+dvec3 before_camera(World& world, double distance) {
+    const auto& camera = world.get<WorldTransform>(active_camera(world));
+    return camera.origin - distance * dvec3(glm::normalize(camera.linear[2]));
+}
+
+Entity torch(World& world) {
+    for (auto [entity, light, transform] : Query<const PointLight, Transform>(world)) {
+        if (light.range == torch_range) return entity;
+    }
+    return {};
+}
+
+/// A block on the surface that the camera looks at, or none where it looks at none.
+void place_block(World& world) {
+    const auto& camera = world.get<WorldTransform>(active_camera(world));
+    if (const auto pick = pick_block(world, camera.origin, -camera.linear[2], 100.0f)) set_block(world, pick->entity, pick->cell + pick->normal, Block::stone);
+}
+
+std::vector<Change> changes() {
+    return {{"a block is placed", [](World&) {}, &place_block},
+            {"a torch moves by 1 m",
+             [](World& world) {
+                 world.create(Transform{.translation = before_camera(world, 3.0)}, PointLight{.intensity = 20000.0f, .range = torch_range});
+             },
+             [](World& world) { world.get<Transform>(torch(world)).translation.x += 1.0; }},
+            {"the sun turns by 10 deg", [](World&) {},
+             [](World& world) {
+                 for (auto [entity, sun] : Query<SunAngles>(world)) sun.azimuth += glm::radians(10.0f);
+             }}};
+}
+
+/// A world drawn frame by frame as in a window.
+struct Window {
+    App app;
+    uvec2 size;
+    Renderer renderer{shader_folder()};
+    RenderScene scene;
+    double milliseconds = 0.0;  ///< of the last frame's GI
+    float progress = 0.0f;
+
+    Image draw(bool all) {
+        app.schedule.run(app.world);
+        extract(app.world, scene);
+        renderer.executor().set_timing(true);
+        const auto result = renderer.render(scene, {.width = size.x, .height = size.y, .slice_budget = all ? ~0u : 1u, .wanted = {"depth"}, .want_irradiance = true});
+        milliseconds = gi_milliseconds(renderer.executor().finished_timings()) + 1e3 * result.images.gi_traced_seconds;
+        progress = result.images.gi_progress;
+        return renderer.read(renderer.find_image("irradiance"), 0);
+    }
+};
+
+struct Shot {
+    Image irradiance;
+    double milliseconds;
+};
+
+/// Share of surface pixels that are within a tenth of what they come to.
+double settled_share(const Image& now, const Image& end, const std::vector<float>& surface) {
+    double good = 0.0, all = 0.0;
+    for (std::size_t i = 0; i < surface.size(); ++i) {
+        if (surface[i] <= 0.0f) continue;
+        const auto brightness = [&](const Image& image) { return image.data[i * image.channels] + image.data[i * image.channels + 1] + image.data[i * image.channels + 2]; };
+        good += std::abs(brightness(now) - brightness(end)) <= 0.1f * brightness(end) ? 1.0 : 0.0;
+        all += 1.0;
+    }
+    return all > 0.0 ? good / all : 1.0;
+}
+
+nlohmann::json measure(const std::string& scene, const Change& change, const ChangesFlags& flags) {
+    Window window{.app = open_scene({.scene = scene, .gi = flags.gi, .sets = flags.sets}), .size = parse_size(flags.size)};
+    change.prepare(window.app.world);
+    Progress progress(fmt::format("{}, {}", scene, change.name));
+    const Image before = window.draw(true);
+    change.make(window.app.world);
+    std::vector<Shot> shots;
+    for (std::uint32_t frame = 0; frame < flags.frames; ++frame) {
+        Image irradiance = window.draw(false);
+        shots.push_back({std::move(irradiance), window.milliseconds});
+        progress.update(frame + 1, flags.frames);
+    }
+    const Image end = window.draw(true);
+    const Image depth = window.renderer.read(window.renderer.find_image("depth"), 0);
+    fmt::print("\n{} · {} · {}\n  changes the light by {:.1f} % (NRMSE)\n  {:>6}{:>12}{:>14}{:>24}\n", scene, flags.gi, change.name,
+               100.0 * image_errors(before, end, depth.data).nrmse, "frame", "GI ms", "NRMSE", "pixels within 10 %");
+    nlohmann::json json{{"scene", scene}, {"change", change.name}, {"size", image_errors(before, end, depth.data).nrmse}};
+    for (std::size_t i = 0; i < shots.size(); ++i) {
+        const double nrmse = image_errors(shots[i].irradiance, end, depth.data).nrmse, share = settled_share(shots[i].irradiance, end, depth.data);
+        fmt::print("  {:>6}{:>12.1f}{:>12.1f} %{:>22.1f} %\n", i + 1, shots[i].milliseconds, 100.0 * nrmse, 100.0 * share);
+        json["frames"].push_back({{"gi_ms", shots[i].milliseconds}, {"nrmse", nrmse}, {"within_tenth", share}});
+    }
+    return json;
+}
+
+int run_changes(const GlobalFlags& global, const ChangesFlags& flags) {
+    const uvec2 size = parse_size(flags.size);
+    Headless headless(global);
+    fmt::print("{} · {} · {}x{}\n", headless.context->renderer(), headless.context->version(), size.x, size.y);
+    nlohmann::json results = nlohmann::json::array();
+    for (const std::string& scene : flags.scenes) {
+        for (const Change& change : changes()) results.push_back(measure(scene, change, flags));
+    }
+    headless.check_errors();
+    if (!flags.json.empty()) {
+        const nlohmann::json all{{"renderer", headless.context->renderer()}, {"width", size.x}, {"height", size.y}, {"gi", flags.gi}, {"results", results}};
+        write_text_file(flags.json, all.dump(2) + "\n");
+    }
+    return 0;
+}
+
+}  // namespace
+
+void add_bench_changes_command(const Flags& bench, const GlobalFlags& global) {
+    auto flags = std::make_shared<ChangesFlags>();
+    const Flags command = bench.command("changes", "How soon indirect light follows when a block is placed, a torch or the sun moves, frame by frame as in a window");
+    command.add("--scene", flags->scenes, "Scenes to measure");
+    command.add("--gi", flags->gi, "GI method");
+    command.add("--set", flags->sets, "component.field=value; repeatable");
+    command.add("--size", flags->size, "WIDTHxHEIGHT in pixels");
+    command.add("--frames", flags->frames, "Frames after each change").within(1, 10000);
+    command.add("--json", flags->json, "Also write the figures into this file");
+    command.runs([&global, flags] { return run_changes(global, *flags); });
+}
+
+}  // namespace sl
