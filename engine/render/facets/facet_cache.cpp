@@ -33,7 +33,9 @@ constexpr std::size_t most_reflections = 400, reflections_between = 2;
 /// Of the scene's size: where more of it has changed, nothing is worth keeping.
 constexpr float most_changed = 0.5f;
 const Bounds everywhere{vec3(std::numeric_limits<float>::lowest()), vec3(std::numeric_limits<float>::max())};
-constexpr std::uint32_t looks_at_once = 4;
+constexpr std::uint32_t looks_at_once = 5;
+/// Share of a look that meets facets which are not known yet, where the camera has not moved but jumped.
+constexpr float elsewhere = 0.02f;
 constexpr std::size_t groups_at_once = 8, corners_at_once = 64, patches_at_once = 64, reflections_at_once = 2048;
 
 float luminance(vec3 colour) { return glm::dot(colour, vec3(0.2126f, 0.7152f, 0.0722f)); }
@@ -86,12 +88,9 @@ float FacetCache::update(const RenderScene& scene, const FrameParams& frame, con
     seen_ = frame;
     spacing_ = settings.spacing;
     do {
-        // After that many, all that a still camera sees has been met.
-        const std::uint32_t looks = looks_per_side(settings) * looks_per_side(settings);
-        for (std::uint32_t i = 0; looks_ < looks && (deadline.none() || (i < looks_at_once && !deadline.passed(0.3))); ++i) look(frame, settings, looks_++, everywhere);
+        look_around(frame, settings, deadline);
         work(settings, deadline);
         split_where_needed();
-
     } while (deadline.none() && share_known() < 1.0f);
     // After a change of surfaces the old light stays until each place has some of the new: a picture that is late by some
     // frames, and not one that falls dark.
@@ -244,33 +243,56 @@ void FacetCache::light_has_changed() {
     }
 }
 
-void FacetCache::look(const FrameParams& frame, const Facets& settings, std::uint32_t number, const Bounds& where) {
+void FacetCache::look_around(const FrameParams& frame, const Facets& settings, const Deadline& deadline) {
+    // After so many, all that a still camera sees has been met. One that moves meets little that is new, and looks again in
+    // the next frame; unless it is somewhere else altogether.
+    const std::uint32_t all = looks_per_side(settings) * looks_per_side(settings);
+    std::uint32_t most = looks_ == 0 ? 1 : looks_at_once;
+    for (std::uint32_t i = 0; i < most && looks_ < all && !deadline.passed(0.3); ++i) {
+        const float fresh = look(frame, settings, looks_++, everywhere);
+        if (deadline.none() && fresh > elsewhere) most = all;
+    }
+}
+
+float FacetCache::look(const FrameParams& frame, const Facets& settings, std::uint32_t number, const Bounds& where) {
     const vec2 size(frame.ray_right.w, frame.ray_up.w);
     const float spacing = std::max(settings.spacing, 1.0f);
     const uvec2 count(glm::ceil(size / spacing));
     const float side = facet_side_over_distance(frame, settings);
     const vec2 within = place_of_look(number, looks_per_side(settings));
-    std::vector<std::optional<SurfacePoint>> hits(std::size_t{count.x} * count.y);
-    tbb::parallel_for(std::size_t{0}, hits.size(), [&](std::size_t i) {
+    struct Seen {
+        SurfacePoint point;
+        std::array<float, 3> levels;
+    };
+    std::vector<std::optional<Seen>> unknown(std::size_t{count.x} * count.y);
+    tbb::parallel_for(std::size_t{0}, unknown.size(), [&](std::size_t i) {
         const vec2 pixel = glm::min(glm::floor((vec2(i % count.x, i / count.x) + within) * spacing), size - 1.0f), at = (pixel + 0.5f) / size;
         const Ray ray{.origin = vec3(frame.camera_position), .direction = view_ray(frame, vec2(2.0f * at.x - 1.0f, 1.0f - 2.0f * at.y)), .nearest = frame.camera_position.w};
         if (!where.meets(ray.origin, ray.direction, std::numeric_limits<float>::infinity())) return;
-        if (const auto hit = world_->scene.intersect_front(ray)) hits[i] = world_->scene.surface_at(*hit);
-    });
-    const auto known = static_cast<std::ptrdiff_t>(unfinished_.size());
-    for (const auto& point : hits) {
-        if (!point) continue;
-        const float distance = glm::length(point->position - vec3(frame.camera_position));
+        const auto hit = world_->scene.intersect_front(ray);
+        if (!hit) return;
+        const SurfacePoint point = world_->scene.surface_at(*hit);
+        const vec3 offset = point.position - vec3(frame.camera_position);
+        const float distance = glm::length(offset);
         // Pixels beside this one are a little nearer or farther off: where the level changes they want the other one.
         const float near = facet_level(distance * 0.93f, side), far = facet_level(distance * 1.07f, side);
-        add(*point, near, 0);
-        if (far != near) add(*point, far, 0);
         // Seen from the side, facets are narrower than pixels, and few of them are met: larger ones stand in for the others.
-        const float slant = std::abs(glm::dot(point->position - vec3(frame.camera_position), point->face)) / distance;
-        if (slant < steep) add(*point, far + std::min(std::ceil(std::log2(steep / std::max(slant, 1e-3f))), coarser_that_are_searched), 0);
+        const float slant = std::abs(glm::dot(offset, point.face)) / distance;
+        const float coarse = far + std::clamp(std::ceil(std::log2(steep / std::max(slant, 1e-3f))), 0.0f, coarser_that_are_searched);
+        for (const float level : {near, far, coarse}) {
+            if (!facets_.contains(facet_name(facet_cell(point.position, point.normal(), level)))) unknown[i] = Seen{point, {near, far, coarse}};
+        }
+    });
+    const auto known = static_cast<std::ptrdiff_t>(unfinished_.size());
+    std::size_t fresh = 0;
+    for (const auto& seen : unknown) {
+        if (!seen) continue;
+        ++fresh;
+        for (const float level : seen->levels) add(seen->point, level, 0);
     }
     // All over the picture rather than from its top down: where the time of a frame ends, there is some light everywhere.
     std::sort(unfinished_.begin() + known, unfinished_.end(), [](std::uint32_t a, std::uint32_t b) { return a * 0x9e3779b1u < b * 0x9e3779b1u; });
+    return static_cast<float>(fresh) / static_cast<float>(unknown.size());
 }
 
 void FacetCache::add(const SurfacePoint& point, float level, std::uint32_t depth) {

@@ -63,7 +63,9 @@ class FacetCache {
     /// Returns where there are none now.
     Bounds forget_facets(const Bounds& box);
     void light_has_changed();
-    void look(const FrameParams& frame, const Facets& settings, std::uint32_t number, const Bounds& where);
+    void look_around(const FrameParams& frame, const Facets& settings, const Deadline& deadline);
+    /// Returns the share of rays that met what was not known.
+    float look(const FrameParams& frame, const Facets& settings, std::uint32_t number, const Bounds& where);
     void add(const SurfacePoint& point, float level, std::uint32_t depth);
     std::uint32_t corner_of(Facet& facet, FacetName name, vec2 within, uvec2 lattice);
     void work(const Facets& settings, const Deadline& deadline);
