@@ -60,6 +60,9 @@ struct Bounds {
     }
 };
 
+/// Of linear colours with the primaries of sRGB (Rec. 709).
+inline float luminance(vec3 colour) { return glm::dot(colour, vec3(0.2126f, 0.7152f, 0.0722f)); }
+
 /// The smallest axis-aligned box around a transformed box (Arvo 1990: per-axis interval arithmetic).
 Bounds transformed(const Bounds& bounds, const mat4& matrix);
 

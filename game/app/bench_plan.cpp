@@ -22,7 +22,7 @@ BenchPlan quick_plan() {
                            {"rsm_disc", {"rsm_size=128", "samples=64"}},
                            {"rsm_disc", {"rsm_size=128", "samples=256"}},
                            {"rsm_exact", {"rsm_size=32"}},
-                           {"facets", {"spacing=16", "noise=0.3"}}},
+                           {"facets", {"quality=0", "noise=0.3"}}},
             .rounds = 5,
             .spp = 128};
 }

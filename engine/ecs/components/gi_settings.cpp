@@ -46,14 +46,14 @@ void visit_fields(FieldVisitor& visit, Facets& facets) {
     // No state of its own: it is read off the facets' side, and choosing another one sets that and the noise.
     const float before = facet_quality(facets);
     float quality = before;
-    visit.field("quality", quality, {.min = 0, .max = 1, .help = "Sets spacing and noise together: 0 is coarse and quick, 1 fine and slow to gather; frames cost the same."});
+    visit.field("quality", quality, {.min = 0, .max = 1, .help = "Sets spacing and noise together: 0 is coarse and soon there, 1 fine and late; a frame costs the same."});
     if (quality != before) {
         facets.spacing = facet_spacing(quality);
         facets.noise = facet_noise(quality);
     }
     visit.field("budget_ms", facets.budget_ms, {.min = 0.5, .max = 1000, .unit = "ms", .help = "What gathering may take of a frame in a window; less leaves new and changed light coarse for longer."});
     visit.field("spacing", facets.spacing, {.min = 1, .max = 64, .unit = "pixels", .help = "Width of a facet on the screen; less resolves finer light and costs with its square."});
-    visit.field("noise", facets.noise, {.min = 0.005f, .max = 1, .help = "Standard error at a corner, over its irradiance, at which tracing ends; half of it costs four times as much."});
+    visit.field("noise", facets.noise, {.min = 0.005, .max = 1, .help = "Standard error at a corner, over its irradiance, at which it gets no more rays; half of it costs up to four times as much."});
     visit.field("bounces", facets.bounces, {.min = 0, .max = 64, .help = "Reflections of light before it arrives; 64 is all that can be seen."});
     visit.field("strength", facets.strength, strength_info);
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <chrono>
 #include <memory>
 #include <unordered_map>
 
 #include "engine/ecs/components/gi_settings.h"
+#include "engine/render/facets/deadline.h"
 #include "engine/render/facets/facet_table.h"
 #include "engine/render/facets/patches.h"
 #include "engine/render/scene/frame_params.h"
@@ -53,7 +53,6 @@ class FacetCache {
         bool cut = false;    ///< not all corners lie where the lattice has them
         bool split = false;  ///< finer ones hold more
     };
-    class Deadline;
 
     void follow_changes(const RenderScene& scene, const FrameParams& frame, const Facets& settings);
     void start_anew(const RenderScene& scene);
@@ -64,6 +63,8 @@ class FacetCache {
     Bounds forget_facets(const Bounds& box);
     void light_has_changed();
     void look_around(const FrameParams& frame, const Facets& settings, const Deadline& deadline);
+    /// All looks, at what a box covers.
+    void look_at(const FrameParams& frame, const Facets& settings, const Bounds& where);
     /// Returns the share of rays that met what was not known.
     float look(const FrameParams& frame, const Facets& settings, std::uint32_t number, const Bounds& where);
     void add(const SurfacePoint& point, float level, std::uint32_t depth);

@@ -88,6 +88,11 @@ class Patches {
     float mean_light() const;
 
   private:
+    static constexpr std::uint32_t links_of_a_patch = 32;
+    /// Strata, per side, in which a patch's direct light is sampled: of one that is lit evenly, and of one with a shadow's
+    /// edge in it.
+    static constexpr std::uint32_t few_strata = 4, many_strata = 8;
+
     /// A place in a patch.
     struct Sample {
         SurfacePoint point;
@@ -109,6 +114,7 @@ class Patches {
         std::uint32_t strata = 0;  ///< per side, of the samples
         bool sharp = false;        ///< seen by more than other patches
         bool waiting = false;      ///< for its light
+        bool rough = false;        ///< few of its samples are lit
         bool gone = false;         ///< its surface is no longer there
     };
     /// A box whose surfaces have changed, and how far patches have followed.
@@ -169,7 +175,7 @@ class Patches {
     std::unordered_map<FacetName, std::uint32_t> first_;  ///< of a cell
     std::vector<std::uint32_t> waiting_;  ///< for direct light
     std::vector<PastChange> changes_;
-    std::vector<std::uint32_t> rough_;    ///< of whose samples few are lit
+    std::vector<std::uint32_t> rough_;
     bool black_ = false;     ///< patches reflect nothing
     std::size_t grown_ = 0;  ///< patches before it have links of their own
 };

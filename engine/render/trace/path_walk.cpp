@@ -18,7 +18,6 @@ constexpr int certain_reflections = 3;
 constexpr float most_likely_survival = 0.995f;
 
 float largest(vec3 v) { return std::max({v.x, v.y, v.z}); }
-float luminance(vec3 colour) { return glm::dot(colour, vec3(0.2126f, 0.7152f, 0.0722f)); }
 
 /// A surface point as a path's vertex: its reflectance in the chosen model, seen from where the path came.
 struct PathVertex {

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+#include "engine/render/facets/facet_cache.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace sl {
+
+namespace {
+
+constexpr std::uint32_t first_links = 32, least_links = 64, most_links = 2048;
+/// Where nothing arrived at all, its spread tells nothing either.
+constexpr std::uint32_t least_links_in_the_dark = 256;
+/// Light between patches has settled when a reflection changes none by more than this share of their mean.
+constexpr float settled = 1e-3f;
+constexpr std::size_t most_reflections = 400, reflections_between = 2;
+/// Work between two looks at the clock.
+constexpr std::size_t groups_at_once = 8, corners_at_once = 64, patches_at_once = 64, reflections_at_once = 2048;
+
+bool goes_on_for_ever(const Facets& settings) { return settings.bounces >= 64; }
+
+}  // namespace
+
+void FacetCache::work(const Facets& settings, const Deadline& deadline) {
+    // Those without links come first, and nothing is refined before light has gone round once.
+    std::stable_partition(unfinished_.begin(), unfinished_.end(), [&](std::uint32_t corner) { return corners_[corner].at.by_chance.empty(); });
+    // What is missing goes before what is wrong, and that before what is rough.
+    link_corners(settings, first_links, 0.35, deadline);
+    while (patches_->renewing() && !deadline.passed(0.6)) {
+        patches_->renew(patches_at_once);
+        light_moves();
+    }
+    while (!patches_->renewing() && !deadline.passed(0.5) && patches_->mend(patches_at_once)) light_moves();
+    do {
+        while (!deadline.passed(0.5) && patches_->renew(patches_at_once)) light_moves();
+    } while (!deadline.passed(0.5) && patches_->grow(patches_at_once));
+    reflect(settings, deadline);
+    gather(settings, deadline);
+    guide_corners();
+    link_corners(settings, most_links, 1.0, deadline);
+    if (unfinished_.empty() && !reflecting_ && !patches_->mending() && to_gather_ == 0) look_for_other_lights(deadline);
+}
+
+void FacetCache::light_moves() {
+    reflecting_ = true;
+    largest_change_ = std::numeric_limits<float>::infinity();
+    to_gather_ = corners_.size();
+}
+
+void FacetCache::look_for_other_lights(const Deadline& deadline) {
+    for (std::size_t i = 0; !stale_.empty() && (deadline.none() || i < groups_at_once); ++i) {
+        const std::uint32_t number = stale_.back();
+        stale_.pop_back();
+        for (const std::uint32_t corner : groups_[number].corners) link_anew(corner, nullptr);
+        groups_[number].guide.reset();
+        unguided_.push_back(number);
+    }
+}
+
+void FacetCache::link_anew(std::uint32_t corner, const Guide* guide) {
+    Corner& it = corners_[corner];
+    // Its light stays until there is some of the new.
+    it.at = {.point = it.at.point, .level = it.at.level, .guide = guide, .irradiance = it.at.irradiance};
+    if (std::exchange(it.done, false)) unfinished_.push_back(corner);
+}
+
+void FacetCache::guide_corners() {
+    const auto linked = [&](std::uint32_t corner) { return !corners_[corner].at.by_chance.empty() || corners_[corner].gone; };
+    std::vector<std::uint32_t> waiting;
+    for (const std::uint32_t number : std::exchange(unguided_, {})) {
+        Group& group = groups_[number];
+        if (!std::ranges::all_of(group.corners, linked)) {
+            waiting.push_back(number);
+            continue;
+        }
+        std::vector<Patches::Job> points;
+        for (const std::uint32_t corner : group.corners) points.push_back({.point = &corners_[corner].at, .by_chance = 0, .seed = corner + 1});
+        group.guide = std::make_unique<Guide>(patches_->guide_for(points));
+        // What was found by chance alone has done its duty.
+        for (const std::uint32_t corner : group.corners) link_anew(corner, group.guide.get());
+    }
+    unguided_.insert(unguided_.end(), waiting.begin(), waiting.end());
+}
+
+void FacetCache::link_corners(const Facets& settings, std::uint32_t most, double share, const Deadline& deadline) {
+    std::vector<Patches::Job> jobs;
+    std::size_t done = 0;
+    std::vector<std::uint32_t> again;
+    while (done < unfinished_.size() && !deadline.passed(share)) {
+        jobs.clear();
+        const std::size_t first = done;
+        for (; done < unfinished_.size() && jobs.size() < corners_at_once; ++done) {
+            GatherPoint& at = corners_[unfinished_[done]].at;
+            const auto known = static_cast<std::uint32_t>(at.by_chance.size());
+            if (known >= most) continue;
+            // The same directions at all corners: what they miss, neighbours miss alike, and no blotches arise. But while a
+            // group looks for what matters, each looks elsewhere.
+            const bool guided = at.guide != nullptr;
+            jobs.push_back({.point = &at, .by_chance = std::max(2 * known, guided ? least_links : first_links), .seed = guided ? 0 : unfinished_[done] + 1});
+        }
+        again.insert(again.end(), unfinished_.begin() + static_cast<std::ptrdiff_t>(first), unfinished_.begin() + static_cast<std::ptrdiff_t>(done));
+        if (jobs.empty()) break;
+        patches_->link(jobs);
+        while (!deadline.passed(0.5) && patches_->renew(patches_at_once)) {}
+        light_moves();
+        // At once, for what there is: until then a new place is dark.
+        tbb::parallel_for(first, done, [&](std::size_t i) { judge(unfinished_[i], settings); });
+        table_is_old_ = true;
+    }
+    unfinished_.erase(unfinished_.begin(), unfinished_.begin() + static_cast<std::ptrdiff_t>(done));
+    unfinished_.insert(unfinished_.end(), again.begin(), again.end());
+}
+
+void FacetCache::reflect(const Facets& settings, const Deadline& deadline) {
+    if (!reflecting_) return;
+    if (!goes_on_for_ever(settings)) {
+        patches_->forget_reflections(settings.bounces > 0);
+        for (std::uint32_t i = 1; i < settings.bounces; ++i) patches_->reflect(0, patches_->size());
+        reflecting_ = false;
+        to_gather_ = corners_.size();
+        return;
+    }
+    // In turns, and over when a whole round has changed nothing that could be seen.
+    const std::size_t slice = deadline.none() ? patches_->size() : reflections_at_once;
+    // While light is still wrong a little of it goes on, or light that never rests would never be reflected.
+    bool more = true;
+    for (std::size_t rounds = 0; reflecting_ && more;) {
+        more = !patches_->renewing() && !deadline.passed(0.7);
+        const std::size_t last = std::min(reflected_ + slice, patches_->size());
+        largest_change_ = std::max(largest_change_, patches_->reflect(reflected_, last));
+        to_gather_ = corners_.size();
+        reflected_ = last;
+        if (reflected_ < patches_->size()) continue;
+        reflected_ = 0;
+        reflecting_ = std::exchange(largest_change_, 0.0f) > settled * patches_->mean_light();
+        // Light settles when nothing else is left to do.
+        if (++rounds == (unfinished_.empty() ? most_reflections : reflections_between)) break;
+    }
+}
+
+void FacetCache::gather(const Facets& settings, const Deadline& deadline) {
+    const std::size_t all = corners_.size();
+    for (bool first = true; to_gather_ > 0 && (first || !deadline.passed()); first = false) {
+        const std::size_t batch = std::min(to_gather_, 4 * corners_at_once);
+        tbb::parallel_for(std::size_t{0}, batch, [&](std::size_t i) { judge(static_cast<std::uint32_t>((gathered_ + i) % all), settings); });
+        gathered_ = (gathered_ + batch) % all;
+        to_gather_ -= batch;
+        table_is_old_ = true;
+    }
+    std::erase_if(unfinished_, [&](std::uint32_t corner) { return corners_[corner].done; });
+}
+
+void FacetCache::judge(std::uint32_t corner, const Facets& settings) {
+    Corner& it = corners_[corner];
+    if (it.at.by_chance.empty()) return;
+    const Patches::Gathered gathered = patches_->gather(it.at);
+    it.at.irradiance = gathered.irradiance;
+    it.lit = true;
+    const float mean = luminance(gathered.irradiance);
+    const std::size_t links = it.at.by_chance.size();
+    // Without a guide it may have missed the brightest thing.
+    if (it.at.guide == nullptr) return;
+    it.done = it.done || (links >= (mean > 0.0f ? least_links : least_links_in_the_dark) && (gathered.error <= settings.noise * mean || links >= most_links));
+}
+
+}  // namespace sl

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+#include "engine/render/facets/facet_cache.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "engine/render/facets/facet_corner.h"
+
+namespace sl {
+
+namespace {
+
+/// Pixels, per side of a square of the picture, through which the camera's rays go in as many looks.
+constexpr std::uint32_t most_looks_per_side = 8;
+/// Looks in a frame of a camera that stands still.
+constexpr std::uint32_t looks_at_once = 5;
+/// Share of a look that meets facets which are not known yet, where the camera has not moved but jumped.
+constexpr float elsewhere = 0.02f;
+/// The cosine of the angle under which facets are seen whole, and how many levels coarser a shader searches.
+constexpr float steep = 0.25f, coarser_that_are_searched = 3.0f;
+constexpr std::uint32_t most_depth = 3;
+/// Corners that differ by this share of their mean get finer facets between them.
+constexpr float smooth_contrast = 0.25f;
+/// A group of corners lies in a square of 8 by 8 facets.
+constexpr float group_level = 3.0f;
+const Bounds everywhere{vec3(std::numeric_limits<float>::lowest()), vec3(std::numeric_limits<float>::max())};
+
+std::uint32_t looks_per_side(const Facets& settings) {
+    return std::clamp(static_cast<std::uint32_t>(std::ceil(settings.spacing)), 1u, most_looks_per_side);
+}
+
+/// Where in its square a look goes, in [0, 1)²: each part of a grid once, neighbours far apart in time.
+vec2 place_of_look(std::uint32_t look, std::uint32_t per_side) {
+    std::uint32_t stride = std::max(5 * per_side / 8, 1u);
+    while (std::gcd(stride, per_side) != 1) ++stride;
+    const std::uint32_t row = look / per_side, column = (look + row) * stride % per_side;
+    return (vec2(column, row * stride % per_side) + 0.5f) / static_cast<float>(per_side);
+}
+
+}  // namespace
+
+float facet_side_over_distance(const FrameParams& frame, const Facets& settings) {
+    return settings.spacing * 2.0f * glm::length(vec3(frame.ray_up)) / frame.ray_up.w;
+}
+
+void FacetCache::look_around(const FrameParams& frame, const Facets& settings, const Deadline& deadline) {
+    // After so many, all that a still camera sees has been met. One that moves meets little that is new, and looks again in
+    // the next frame; unless it is somewhere else altogether.
+    const std::uint32_t all = looks_per_side(settings) * looks_per_side(settings);
+    std::uint32_t most = looks_ == 0 ? 1 : looks_at_once;
+    for (std::uint32_t i = 0; i < most && looks_ < all && !deadline.passed(0.3); ++i) {
+        const float fresh = look(frame, settings, looks_++, everywhere);
+        if (deadline.none() && fresh > elsewhere) most = all;
+    }
+}
+
+void FacetCache::look_at(const FrameParams& frame, const Facets& settings, const Bounds& where) {
+    for (std::uint32_t i = 0; i < looks_per_side(settings) * looks_per_side(settings); ++i) look(frame, settings, i, where);
+}
+
+float FacetCache::look(const FrameParams& frame, const Facets& settings, std::uint32_t number, const Bounds& where) {
+    const vec2 size(frame.ray_right.w, frame.ray_up.w);
+    const float spacing = std::max(settings.spacing, 1.0f);
+    const uvec2 count(glm::ceil(size / spacing));
+    const float side = facet_side_over_distance(frame, settings);
+    const vec2 within = place_of_look(number, looks_per_side(settings));
+    struct Seen {
+        SurfacePoint point;
+        std::array<float, 3> levels;
+    };
+    std::vector<std::optional<Seen>> unknown(std::size_t{count.x} * count.y);
+    tbb::parallel_for(std::size_t{0}, unknown.size(), [&](std::size_t i) {
+        const vec2 pixel = glm::min(glm::floor((vec2(i % count.x, i / count.x) + within) * spacing), size - 1.0f), at = (pixel + 0.5f) / size;
+        const Ray ray{.origin = vec3(frame.camera_position), .direction = view_ray(frame, vec2(2.0f * at.x - 1.0f, 1.0f - 2.0f * at.y)), .nearest = frame.camera_position.w};
+        if (!where.meets(ray.origin, ray.direction, std::numeric_limits<float>::infinity())) return;
+        const auto hit = world_->scene.intersect_front(ray);
+        if (!hit) return;
+        const SurfacePoint point = world_->scene.surface_at(*hit);
+        const vec3 offset = point.position - vec3(frame.camera_position);
+        const float distance = glm::length(offset);
+        // Pixels beside this one are a little nearer or farther off: where the level changes they want the other one.
+        const float near = facet_level(distance * 0.93f, side), far = facet_level(distance * 1.07f, side);
+        // Seen from the side, facets are narrower than pixels, and few of them are met: larger ones stand in for the others.
+        const float slant = std::abs(glm::dot(offset, point.face)) / distance;
+        const float coarse = far + std::clamp(std::ceil(std::log2(steep / std::max(slant, 1e-3f))), 0.0f, coarser_that_are_searched);
+        for (const float level : {near, far, coarse}) {
+            if (!facets_.contains(facet_name(facet_cell(point.position, point.normal(), level)))) unknown[i] = Seen{point, {near, far, coarse}};
+        }
+    });
+    const auto known = static_cast<std::ptrdiff_t>(unfinished_.size());
+    std::size_t fresh = 0;
+    for (const auto& seen : unknown) {
+        if (!seen) continue;
+        ++fresh;
+        for (const float level : seen->levels) add(seen->point, level, 0);
+    }
+    // All over the picture rather than from its top down: where the time of a frame ends, there is some light everywhere.
+    std::sort(unfinished_.begin() + known, unfinished_.end(), [](std::uint32_t a, std::uint32_t b) { return a * 0x9e3779b1u < b * 0x9e3779b1u; });
+    return static_cast<float>(fresh) / static_cast<float>(unknown.size());
+}
+
+void FacetCache::add(const SurfacePoint& point, float level, std::uint32_t depth) {
+    const FacetCell cell = facet_cell(point.position, point.normal(), level);
+    const FacetName name = facet_name(cell);
+    const auto [entry, fresh] = facets_.try_emplace(name);
+    if (!fresh) return;
+    Facet& facet = entry->second;
+    facet.middle = point;
+    facet.level = level;
+    facet.depth = depth;
+    for (std::uint32_t corner = 0; corner < 4; ++corner) facet.corners[corner] = corner_of(facet, name, vec2(cell.within), uvec2(corner & 1, corner >> 1));
+    unsplit_.push_back(name);
+    table_is_old_ = true;
+}
+
+std::uint32_t FacetCache::corner_of(Facet& facet, FacetName name, vec2 within, uvec2 lattice) {
+    // Facets that meet at a corner share it, unless it lies in an edge or at the foot of something.
+    const std::uint32_t u = (static_cast<std::uint32_t>(name) + lattice.x) & 0xffffu, v = ((static_cast<std::uint32_t>(name) >> 16) + lattice.y) & 0xffffu;
+    const FacetName shared_name = (name & ~FacetName{0xffffffffu}) | (v << 16) | u;
+    if (const auto known = shared_corners_.find(shared_name); known != shared_corners_.end()) return known->second;
+    const FacetCorner corner = facet_corner(world_->scene, facet.middle, facet.level, within, vec2(lattice));
+    const auto id = static_cast<std::uint32_t>(corners_.size());
+    const FacetName cell = facet_name(facet_cell(corner.point.position, corner.point.normal(), facet.level + static_cast<float>(facet.depth) + group_level));
+    const auto [group, fresh] = group_of_cell_.try_emplace(cell, static_cast<std::uint32_t>(groups_.size()));
+    if (fresh) {
+        unguided_.push_back(static_cast<std::uint32_t>(groups_.size()));
+        groups_.emplace_back();
+    }
+    Group& its_group = groups_[group->second];
+    corners_.push_back({.at = {.point = corner.point, .level = facet.level - 1.0f, .guide = its_group.guide.get()}, .group = group->second});
+    its_group.corners.push_back(id);
+    unfinished_.push_back(id);
+    if (corner.shared) shared_corners_.emplace(shared_name, id);
+    facet.cut |= corner.cut;
+    return id;
+}
+
+void FacetCache::split_where_needed() {
+    std::vector<FacetName> waiting;
+    for (const FacetName name : std::exchange(unsplit_, {})) {
+        Facet& facet = facets_.at(name);
+        if (facet.split || facet.depth >= most_depth) continue;
+        float low = std::numeric_limits<float>::infinity(), high = 0.0f, sum = 0.0f;
+        bool known = true;
+        for (const std::uint32_t corner : facet.corners) {
+            known &= corners_[corner].done;
+            const float value = luminance(corners_[corner].at.irradiance);
+            low = std::min(low, value);
+            high = std::max(high, value);
+            sum += 0.25f * value;
+        }
+        if (!known) {
+            waiting.push_back(name);
+            continue;
+        }
+        if (!facet.cut && high - low <= smooth_contrast * sum) continue;
+        facet.split = true;
+        table_is_old_ = true;
+        const Facet parent = facet;
+        const vec2 within(facet_cell(parent.middle.position, parent.middle.normal(), parent.level).within);
+        for (std::uint32_t quarter = 0; quarter < 4; ++quarter) {
+            const vec2 step = vec2(0.25f) + 0.5f * vec2(quarter & 1, quarter >> 1) - within;
+            const vec3 target = along_surface(parent.middle, parent.level, step);
+            if (const auto point = surface_near(world_->scene, parent.middle, target, std::exp2(parent.level))) add(*point, parent.level - 1.0f, parent.depth + 1);
+        }
+        add(parent.middle, parent.level - 1.0f, parent.depth + 1);
+    }
+    unsplit_.insert(unsplit_.end(), waiting.begin(), waiting.end());
+}
+
+}  // namespace sl

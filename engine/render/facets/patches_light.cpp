@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+#include "engine/render/facets/patches.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+#include "engine/render/trace/direct_light.h"
+
+namespace sl {
+
+namespace {
+
+/// Of a patch's samples, how many are lit for a first estimate of light that has changed.
+constexpr std::size_t first_samples = 4;
+/// Samples that differ by more than this share of their mean are uneven.
+constexpr float even = 0.25f;
+/// Light that brings less than this share of what is there may change unnoticed.
+constexpr float too_little = 0.005f;
+constexpr std::uint32_t light_seed = 4;
+
+/// What a surface gives back diffusely, its specular lobe spread over all directions.
+vec3 albedo_of(const Surface& surface) {
+    const float metallic = surface.normal.w;
+    const vec3 base(surface.base_colour);
+    const vec3 coat = base * metallic + vec3(0.04f * surface.specular.x) * (1.0f - metallic);
+    return base * (1.0f - metallic) * (1.0f - 0.04f * surface.specular.x) + coat;
+}
+
+}  // namespace
+
+void Patches::wait(std::uint32_t id) {
+    if (!std::exchange(patches_[id].waiting, true)) waiting_.push_back(id);
+}
+
+/// `irradiance`: of a patch, at most, by what has changed, lux.
+template <class Irradiance>
+void Patches::forget_where(Irradiance&& irradiance) {
+    std::vector<char> matters(patches_.size());
+    tbb::parallel_for(std::size_t{0}, patches_.size(), [&](std::size_t i) {
+        const Patch& patch = patches_[i];
+        const float known = patch.samples.empty() ? 0.0f : luminance(reflected_[i]) / std::max(luminance(patch.albedo), 1e-3f);
+        matters[i] = !patch.gone && irradiance(patch) > too_little * known ? 1 : 0;
+    });
+    for (std::uint32_t id = 0; id < patches_.size(); ++id) {
+        if (matters[id] == 0) continue;
+        for (Sample& sample : patches_[id].samples) sample.known = false;
+        wait(id);
+    }
+    // Those that are seen before those that light them.
+    std::ranges::stable_partition(waiting_, [&](std::uint32_t id) { return patches_[id].sharp; });
+}
+
+void Patches::forget_light(std::span<const LightParams> lights) {
+    forget_where([&](const Patch& patch) {
+        float most = 0.0f;
+        for (const LightParams& light : lights) {
+            // Nearest to the light as far as the patch reaches.
+            const SurfacePoint& point = patch.middle.point;
+            vec3 place = point.position;
+            if (light.kind.x != light_directional) {
+                const vec3 offset = vec3(light.position) - place;
+                const float distance = glm::length(offset);
+                if (distance <= 1.5f * patch.side) return std::numeric_limits<float>::infinity();
+                place += offset * (patch.side / distance);
+            }
+            const Incident incident = incident_light(light, place);
+            if (glm::dot(point.normal(), vec3(incident.to_light)) > -0.2f) most = std::max(most, luminance(vec3(incident.irradiance)));
+        }
+        return most;
+    });
+}
+
+void Patches::forget_light(std::span<const Emitters::Ball> glowing) {
+    forget_where([&](const Patch& patch) {
+        float sum = 0.0f;
+        for (const Emitters::Ball& ball : glowing) {
+            const vec3 offset = ball.place - patch.middle.point.position;
+            const float distance = std::max(glm::length(offset) - patch.side, ball.radius);
+            if (glm::dot(offset, patch.middle.point.face) > -patch.side - ball.radius) sum += ball.power / (3.0f * distance * distance);
+        }
+        return sum;
+    });
+}
+
+bool Patches::renew(std::size_t most) {
+    const bool rough = !waiting_.empty();
+    std::vector<std::uint32_t>& list = rough ? waiting_ : rough_;
+    const std::size_t count = std::min(most, list.size());
+    const auto end = list.begin() + static_cast<std::ptrdiff_t>(count);
+    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) { light(list[i], !rough); });
+    if (rough) {
+        for (auto it = list.begin(); it != end; ++it) {
+            Patch& patch = patches_[*it];
+            if (std::exchange(patch.waiting, false) && !std::exchange(patch.rough, true)) rough_.push_back(*it);
+        }
+    } else {
+        for (auto it = list.begin(); it != end; ++it) patches_[*it].rough = false;
+    }
+    list.erase(list.begin(), end);
+    return count > 0;
+}
+
+bool Patches::light_samples(Patch& patch, std::size_t every) const {
+    // Of samples that are still in other light, the mean differs as much as of those that were asked.
+    vec3 change(0.0f);
+    float asked = 0.0f;
+    for (std::size_t i = every / 2; i < patch.samples.size(); i += every) {
+        Sample& sample = patch.samples[i];
+        if (sample.known) continue;
+        const vec3 lit = direct_irradiance(*world_, sample.point, SampleSequence(light_seed, uvec2(static_cast<std::uint32_t>(patch.cell), 0), static_cast<std::uint32_t>(i)));
+        change += albedo_of(sample.point.surface) * (lit - sample.lit);
+        ++asked;
+        sample.lit = lit;
+        sample.known = true;
+    }
+    patch.albedo = patch.lit = patch.glow = vec3(0.0f);
+    float low = std::numeric_limits<float>::infinity(), high = 0.0f, sum = 0.0f;
+    vec3 bright(0.0f);
+    std::array<float, many_strata * many_strata> brightness{};
+    const auto count = static_cast<float>(patch.samples.size());
+    for (std::size_t i = 0; i < patch.samples.size(); ++i) {
+        const Sample& sample = patch.samples[i];
+        const vec3 albedo = albedo_of(sample.point.surface);
+        patch.albedo += albedo / count;
+        patch.lit += (albedo * sample.lit + (sample.known ? vec3(0.0f) : change / std::max(asked, 1.0f))) / count;
+        patch.glow += pi * sample.point.emission / count;
+        const float size = luminance(albedo * sample.lit + pi * sample.point.emission);
+        brightness[i] = size;
+        bright += size * sample.point.position;
+        low = std::min(low, size);
+        high = std::max(high, size);
+        sum += size;
+    }
+    patch.lit = glm::max(patch.lit, vec3(0.0f));
+    // What of it is bright: the mean place, and twice the spread around it.
+    patch.bright_place = sum > 0.0f ? bright / sum : patch.middle.point.position;
+    float spread = 0.0f;
+    for (std::size_t i = 0; i < patch.samples.size(); ++i) {
+        const vec3 apart = patch.samples[i].point.position - patch.bright_place;
+        spread += (sum > 0.0f ? brightness[i] / sum : 1.0f / count) * glm::dot(apart, apart);
+    }
+    patch.bright_radius = 2.0f * std::sqrt(spread) + patch.side / static_cast<float>(patch.strata);
+    return high - low > even * sum / count;
+}
+
+void Patches::light(std::uint32_t id, bool all) {
+    Patch& patch = patches_[id];
+    if (patch.samples.empty()) {
+        spread_samples(patch, few_strata);
+        all = true;
+    }
+    const std::size_t every = all ? 1 : std::max<std::size_t>(patch.samples.size() / first_samples, 1);
+    const bool uneven = light_samples(patch, every);
+    // Stays on the list of those that want all their samples.
+    patch.waiting = every > 1;
+    if (every == 1 && uneven && patch.strata < many_strata) {
+        spread_samples(patch, many_strata);
+        light_samples(patch, 1);
+    }
+    set_radiosity(id);
+}
+
+void Patches::set_radiosity(std::uint32_t id) {
+    const Patch& patch = patches_[id];
+    reflected_[id] = black_ ? vec3(0.0f) : patch.lit + patch.albedo * patch.middle.irradiance;
+    seen_[id] = reflected_[id] + patch.glow;
+}
+
+float Patches::reflect(std::size_t first, std::size_t last) {
+    std::vector<float> change(last - first);
+    tbb::parallel_for(first, last, [&](std::size_t i) {
+        GatherPoint& middle = patches_[i].middle;
+        const vec3 before = middle.irradiance;
+        middle.irradiance = gather(middle, reflected_).irradiance;
+        change[i - first] = luminance(glm::abs(middle.irradiance - before) * patches_[i].albedo);
+    });
+    for (auto i = static_cast<std::uint32_t>(first); i < last; ++i) set_radiosity(i);
+    return change.empty() ? 0.0f : *std::ranges::max_element(change);
+}
+
+void Patches::forget_reflections(bool any) {
+    black_ = !any;
+    for (std::uint32_t id = 0; id < patches_.size(); ++id) {
+        patches_[id].middle.irradiance = from_sky(patches_[id].middle);
+        set_radiosity(id);
+    }
+}
+
+Patches::Gathered Patches::gather(const GatherPoint& point, const std::vector<vec3>& light) const {
+    if (point.by_chance.empty()) return {};
+    // One-sample balance heuristic of rays by chance and guided ones (Veach & Guibas 1995): each link's light over the
+    // density with which all rays together take its direction.
+    const auto by_chance = static_cast<float>(point.by_chance.size()), guided = static_cast<float>(point.guided.size());
+    const vec3 sky_light = pi * world_->sky;
+    vec3 sum(0.0f);
+    float squares = 0.0f;
+    for (const std::vector<Link>* links : {&point.by_chance, &point.guided}) {
+        for (const Link& link : *links) {
+            if (link.patch == nothing) continue;
+            const vec3 arriving = (link.patch == sky ? sky_light : light[link.patch]) / (by_chance + guided * link.guided);
+            sum += arriving;
+            const float size = luminance(arriving);
+            squares += size * size;
+        }
+    }
+    const float mean = luminance(sum);
+    return {.irradiance = sum, .error = std::sqrt(std::max(squares - mean * mean / (by_chance + guided), 0.0f))};
+}
+
+vec3 Patches::from_sky(const GatherPoint& point) const {
+    if (point.by_chance.empty()) return vec3(0.0f);
+    return static_cast<float>(std::ranges::count(point.by_chance, sky, &Link::patch)) / static_cast<float>(point.by_chance.size()) * pi * world_->sky;
+}
+
+float Patches::mean_light() const {
+    double sum = 0.0;
+    for (const vec3& light : reflected_) sum += luminance(light);
+    return reflected_.empty() ? 0.0f : static_cast<float>(sum / static_cast<double>(reflected_.size()));
+}
+
+}  // namespace sl
