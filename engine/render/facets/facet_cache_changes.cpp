@@ -48,6 +48,7 @@ void FacetCache::start_anew(const RenderScene& scene) {
     patches_.reset();
     world_ = std::make_unique<TransportWorld>(scene, TransportSettings{});
     patches_ = std::make_unique<Patches>(*world_);
+    lights_ = scene.lights;
     facets_.clear();
     shared_corners_.clear();
     corners_.clear();
