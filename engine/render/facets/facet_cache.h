@@ -85,6 +85,7 @@ class FacetCache {
     std::unique_ptr<TransportWorld> world_;
     std::unique_ptr<Patches> patches_;
     std::uint64_t materials_ = 0;  ///< hash of all materials and of where the origin is
+    std::uint64_t surfaces_ = 0;   ///< hash of all draws
     std::unordered_map<std::uint64_t, Bounds> draws_;  ///< content and place of what is traced
     std::vector<RenderScene::Light> lights_;
     bool renewing_ = false;  ///< the table still holds light from before a change

@@ -18,20 +18,24 @@ std::uint64_t materials_of(const RenderScene& scene) { return hash_bytes(hash_mi
 }  // namespace
 
 void FacetCache::follow_changes(const RenderScene& scene, const FrameParams& frame, const Facets& settings) {
-    const std::uint64_t materials = materials_of(scene);
+    const std::uint64_t materials = materials_of(scene), surfaces = scene.geometry_hash();
     if (!world_ || materials != materials_) {
         materials_ = materials;
         start_anew(scene);
     } else {
-        if (const Bounds box = changed_surfaces(scene); !box.empty()) change_surfaces(scene, frame, settings, box);
+        if (surfaces != surfaces_) {
+            if (const Bounds box = changed_surfaces(scene); !box.empty()) change_surfaces(scene, frame, settings, box);
+        }
         if (lights_ != scene.lights || world_->sky != scene.sky_radiance) change_lights(scene);
     }
-    draws_.clear();
-    for (const RenderScene::Draw& draw : scene.draws) draws_[draw.content] = draw.bounds;
+    if (std::exchange(surfaces_, surfaces) != surfaces || draws_.empty()) {
+        draws_.clear();
+        for (const RenderScene::Draw& draw : scene.draws) draws_[draw.content] = draw.bounds;
+    }
     lights_ = scene.lights;
     if (settings.noise < noise_) {
         for (std::uint32_t i = 0; i < corners_.size(); ++i) {
-            if (std::exchange(corners_[i].done, false)) unfinished_.push_back(i);
+            if (!corners_[i].gone && std::exchange(corners_[i].done, false)) unfinished_.push_back(i);
         }
         to_gather_ = corners_.size();
     }

@@ -154,7 +154,7 @@ void FacetCache::gather(const Facets& settings, const Deadline& deadline) {
 
 void FacetCache::judge(std::uint32_t corner, const Facets& settings) {
     Corner& it = corners_[corner];
-    if (it.at.by_chance.empty()) return;
+    if (it.gone || it.at.by_chance.empty()) return;
     const Patches::Gathered gathered = patches_->gather(it.at);
     it.at.irradiance = gathered.irradiance;
     it.lit = true;

@@ -189,7 +189,7 @@ void Patches::forget_reflections(bool any) {
 
 Patches::Gathered Patches::gather(const GatherPoint& point, const std::vector<vec3>& light) const {
     if (point.by_chance.empty()) return {};
-    // One-sample balance heuristic of rays by chance and guided ones (Veach & Guibas 1995): each link's light over the
+    // Balance heuristic of rays by chance and guided ones (Veach & Guibas 1995): each link's light over the
     // density with which all rays together take its direction.
     const auto by_chance = static_cast<float>(point.by_chance.size()), guided = static_cast<float>(point.guided.size());
     const vec3 sky_light = pi * world_->sky;

@@ -18,7 +18,7 @@ constexpr float worth_a_ray = 2.0f;
 constexpr std::size_t most_targets = 24;
 /// Radius of what sky is seen through, over its distance.
 constexpr float size_of_an_opening = 0.12f;
-/// Dimensions of random numbers are apart where the first seed is.
+/// Each use of random numbers has its own.
 constexpr std::uint32_t chance_seed = 1, guide_seed = 3;
 
 }  // namespace

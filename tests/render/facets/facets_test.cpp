@@ -99,6 +99,8 @@ TEST_F(FacetsTest, ABlockThatComesAndGoesIsSeenAndLeavesNoGhost) {
     const Errors after = errors_of(draw(builder.scene()), before);
     EXPECT_LT(after.nrmse, 0.04);
     EXPECT_LT(std::abs(after.bias), 0.01);
+    // Asks all corners for more, and must leave out those that were under the block.
+    EXPECT_LT(errors_of(draw(builder.scene(), {.noise = 0.05f}), before).nrmse, 0.05);
 }
 
 TEST_F(FacetsTest, AnotherSceneWithOtherLightsIsNothingNew) {
