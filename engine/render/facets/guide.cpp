@@ -43,6 +43,8 @@ void Guide::finish(std::size_t most) {
     if (targets.size() > most) targets.resize(most);
     float sum = 0.0f, before = 0.0f;
     for (const Target& target : targets) sum += target.share;
+    // Light too faint or too strong for float: by chance alone, then.
+    if (!(sum > 0.0f) || !std::isfinite(sum)) targets.clear();
     for (Target& target : targets) {
         target.share /= sum;
         target.before = before;
