@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "engine/render/facets/patches.h"
 
+#include <glm/gtc/packing.hpp>
+
 #include "engine/render/facets/facet_corner.h"
 #include "engine/render/trace/samples.h"
 
@@ -15,7 +17,29 @@ constexpr std::uint32_t place_seed = 2;
 /// How much finer cells may be where more patches than that would lie in one, in halvings.
 constexpr float most_halvings = 8.0f;
 
+/// What a surface gives back diffusely, its specular lobe spread over all directions.
+vec3 albedo_of(const Surface& surface) {
+    const float metallic = surface.normal.w;
+    const vec3 base(surface.base_colour);
+    const vec3 coat = base * metallic + vec3(0.04f * surface.specular.x) * (1.0f - metallic);
+    return base * (1.0f - metallic) * (1.0f - 0.04f * surface.specular.x) + coat;
+}
+
 }  // namespace
+
+Patches::Sample::Sample(const SurfacePoint& point)
+    : position(point.position),
+      glow(luminance(pi * point.emission)),
+      error_(point.error),
+      face_(pack_normal(point.face)),
+      normal_(pack_normal(point.normal())),
+      albedo_(glm::packF3x9_E1x5(albedo_of(point.surface))) {}
+
+SurfacePoint Patches::Sample::place() const {
+    return {.position = position, .face = unpack_normal(face_), .surface = {.normal = vec4(unpack_normal(normal_), 0.0f)}, .emission = vec3(0.0f), .error = error_};
+}
+
+vec3 Patches::Sample::albedo() const { return glm::unpackF3x9_E1x5(albedo_); }
 
 void Patches::use(const TransportWorld& world) {
     world_ = &world;
@@ -92,6 +116,7 @@ void Patches::spread_samples(Patch& patch, std::uint32_t strata) const {
     const vec2 within(facet_cell(middle.position, middle.normal(), patch.level).within);
     patch.strata = strata;
     patch.samples.clear();
+    vec3 emission(0.0f);
     for (std::uint32_t i = 0; i < strata * strata; ++i) {
         const vec2 xi = SampleSequence(place_seed, uvec2(static_cast<std::uint32_t>(patch.cell), strata), i).pair();
         const vec3 place = along_surface(middle, patch.level, (vec2(i % strata, i / strata) + xi) / static_cast<float>(strata) - within);
@@ -99,9 +124,16 @@ void Patches::spread_samples(Patch& patch, std::uint32_t strata) const {
         const auto hit = world_->scene.intersect({.origin = place + height * middle.face, .direction = -middle.face, .farthest = 2.0f * height});
         if (!hit || !hit->front) continue;
         const SurfacePoint point = world_->scene.surface_at(*hit);
-        if (belongs(point, patch)) patch.samples.push_back({.point = point});
+        if (!belongs(point, patch)) continue;
+        patch.samples.emplace_back(point);
+        emission += point.emission;
     }
-    if (patch.samples.empty()) patch.samples.push_back({.point = middle});
+    if (patch.samples.empty()) {
+        patch.samples.emplace_back(middle);
+        emission = middle.emission;
+    }
+    patch.samples.shrink_to_fit();
+    patch.glow = pi / static_cast<float>(patch.samples.size()) * emission;
 }
 
 }  // namespace sl

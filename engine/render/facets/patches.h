@@ -93,11 +93,22 @@ class Patches {
     /// edge in it.
     static constexpr std::uint32_t few_strata = 4, many_strata = 8;
 
-    /// A place in a patch.
-    struct Sample {
-        SurfacePoint point;
+    /// A place in a patch. There are many of them, so that they hold no more than light needs.
+    class Sample {
+      public:
+        explicit Sample(const SurfacePoint& point);
+        /// Where it is; of its surface, the normal alone.
+        SurfacePoint place() const;
+        vec3 albedo() const;
+
+        vec3 position;
+        float glow;          ///< luminance of what it gives out of itself, lux
         vec3 lit{0.0f};      ///< irradiance straight from lights and what glows, lux
         bool known = false;  ///< false: that was in other light
+
+      private:
+        float error_;
+        std::uint32_t face_, normal_, albedo_;  ///< packed
     };
     struct Patch {
         GatherPoint middle;

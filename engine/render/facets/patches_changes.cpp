@@ -98,7 +98,7 @@ void Patches::forget_shadows(Patch& patch, const Bounds& box) const {
         const bool far = light.position.w > 0.0f && to_light.farthest <= 1.0f && glm::length(to_light.direction) > light.position.w + patch.side;
         if (far || !box.grown(1.5f * patch.side).meets(to_light.origin, to_light.direction, to_light.farthest)) continue;
         for (Sample& sample : patch.samples) {
-            const Ray ray = shadow_ray(light, sample.point);
+            const Ray ray = shadow_ray(light, sample.place());
             sample.known = sample.known && !box.meets(ray.origin, ray.direction, ray.farthest);
         }
     }

@@ -13,19 +13,11 @@ namespace {
 
 /// Of a patch's samples, how many are lit for a first estimate of light that has changed.
 constexpr std::size_t first_samples = 4;
-/// Samples that differ by more than this share of their mean are uneven.
-constexpr float even = 0.25f;
+/// Samples whose standard deviation is over this share of their mean are uneven: a shadow's edge, and not a texture's grain.
+constexpr float even = 0.3f;
 /// Light that brings less than this share of what is there may change unnoticed.
 constexpr float too_little = 0.005f;
 constexpr std::uint32_t light_seed = 4;
-
-/// What a surface gives back diffusely, its specular lobe spread over all directions.
-vec3 albedo_of(const Surface& surface) {
-    const float metallic = surface.normal.w;
-    const vec3 base(surface.base_colour);
-    const vec3 coat = base * metallic + vec3(0.04f * surface.specular.x) * (1.0f - metallic);
-    return base * (1.0f - metallic) * (1.0f - 0.04f * surface.specular.x) + coat;
-}
 
 }  // namespace
 
@@ -108,40 +100,38 @@ bool Patches::light_samples(Patch& patch, std::size_t every) const {
     for (std::size_t i = every / 2; i < patch.samples.size(); i += every) {
         Sample& sample = patch.samples[i];
         if (sample.known) continue;
-        const vec3 lit = direct_irradiance(*world_, sample.point, SampleSequence(light_seed, uvec2(static_cast<std::uint32_t>(patch.cell), 0), static_cast<std::uint32_t>(i)));
-        change += albedo_of(sample.point.surface) * (lit - sample.lit);
+        const vec3 lit = direct_irradiance(*world_, sample.place(), SampleSequence(light_seed, uvec2(static_cast<std::uint32_t>(patch.cell), 0), static_cast<std::uint32_t>(i)));
+        change += sample.albedo() * (lit - sample.lit);
         ++asked;
         sample.lit = lit;
         sample.known = true;
     }
-    patch.albedo = patch.lit = patch.glow = vec3(0.0f);
-    float low = std::numeric_limits<float>::infinity(), high = 0.0f, sum = 0.0f;
+    patch.albedo = patch.lit = vec3(0.0f);
+    float sum = 0.0f, squares = 0.0f;
     vec3 bright(0.0f);
     std::array<float, many_strata * many_strata> brightness{};
     const auto count = static_cast<float>(patch.samples.size());
     for (std::size_t i = 0; i < patch.samples.size(); ++i) {
         const Sample& sample = patch.samples[i];
-        const vec3 albedo = albedo_of(sample.point.surface);
+        const vec3 albedo = sample.albedo();
         patch.albedo += albedo / count;
         patch.lit += (albedo * sample.lit + (sample.known ? vec3(0.0f) : change / std::max(asked, 1.0f))) / count;
-        patch.glow += pi * sample.point.emission / count;
-        const float size = luminance(albedo * sample.lit + pi * sample.point.emission);
+        const float size = luminance(albedo * sample.lit) + sample.glow;
         brightness[i] = size;
-        bright += size * sample.point.position;
-        low = std::min(low, size);
-        high = std::max(high, size);
+        bright += size * sample.position;
         sum += size;
+        squares += size * size;
     }
     patch.lit = glm::max(patch.lit, vec3(0.0f));
     // What of it is bright: the mean place, and twice the spread around it.
     patch.bright_place = sum > 0.0f ? bright / sum : patch.middle.point.position;
     float spread = 0.0f;
     for (std::size_t i = 0; i < patch.samples.size(); ++i) {
-        const vec3 apart = patch.samples[i].point.position - patch.bright_place;
+        const vec3 apart = patch.samples[i].position - patch.bright_place;
         spread += (sum > 0.0f ? brightness[i] / sum : 1.0f / count) * glm::dot(apart, apart);
     }
     patch.bright_radius = 2.0f * std::sqrt(spread) + patch.side / static_cast<float>(patch.strata);
-    return high - low > even * sum / count;
+    return squares * count > (1.0f + even * even) * sum * sum;
 }
 
 void Patches::light(std::uint32_t id, bool all) {

@@ -26,12 +26,12 @@ constexpr std::uint32_t chance_seed = 1, guide_seed = 3;
 Patches::Met Patches::by_chance(const Job& job, std::uint32_t number) const {
     SampleSequence samples(chance_seed, uvec2(job.seed, 0), number);
     GatherPoint& from = *job.point;
-    const auto start = [&]() -> const SurfacePoint& {
+    const auto start = [&] {
         if (job.patch == nothing) return from.point;
         const std::vector<Sample>& starts = patches_[job.patch].samples;
-        return starts.empty() ? from.point : starts[number * starts.size() / links_of_a_patch % starts.size()].point;
+        return starts.empty() ? from.point : starts[number * starts.size() / links_of_a_patch % starts.size()].place();
     };
-    const SurfacePoint& point = start();
+    const SurfacePoint point = start();
     const vec3 direction = basis_around(point.normal()) * cosine_direction(samples.pair());
     return follow(from, point, direction);
 }
