@@ -39,11 +39,16 @@ class FacetCache {
         bool lit = false;   ///< it was gathered at least once
         bool done = false;
         bool gone = false;  ///< its surface is no longer there
+        float spread = 0.0f;          ///< variance of one link's light over the squared mean
+        float counted_spread = -1.0f;  ///< that its group knows of; -1: none
     };
     /// Corners close to each other, which see much the same.
     struct Group {
         std::vector<std::uint32_t> corners;
         std::unique_ptr<Guide> guide;
+        float spread = 0.0f;      ///< sum of its corners' spreads
+        std::uint32_t judged = 0;  ///< corners in that sum
+        std::uint32_t tried = 0;  ///< guided links that each corner had when the guide last learned from them
     };
     struct Facet {
         SurfacePoint middle;  ///< a point of its surface
@@ -71,13 +76,16 @@ class FacetCache {
     std::uint32_t corner_of(Facet& facet, FacetName name, vec2 within, uvec2 lattice);
     void work(const Facets& settings, const Deadline& deadline);
     void guide_corners();
+    void improve_guides();
+    std::vector<Patches::Job> jobs_of(const Group& group);
     void look_for_other_lights(const Deadline& deadline);
     void link_anew(std::uint32_t corner, const Guide* guide);
     void link_corners(const Facets& settings, std::uint32_t most, double share, const Deadline& deadline);
     void light_moves();
     void reflect(const Facets& settings, const Deadline& deadline);
     void gather(const Facets& settings, const Deadline& deadline);
-    void judge(std::uint32_t corner, const Facets& settings);
+    void judge(std::uint32_t corner);
+    void decide(std::uint32_t corner, const Facets& settings);
     void split_where_needed();
     void fill_table();
     float share_known() const;
@@ -96,6 +104,7 @@ class FacetCache {
     std::unordered_map<FacetName, std::uint32_t> group_of_cell_;
     std::vector<Group> groups_;
     std::vector<std::uint32_t> unguided_;  ///< groups without a guide
+    std::vector<std::uint32_t> untried_;   ///< groups whose guide knows nothing yet of what stands in between
     std::vector<std::uint32_t> stale_;     ///< groups whose guide was made in other light
     std::vector<std::uint32_t> unfinished_;  ///< corners that want more links, those with fewest first
     std::vector<FacetName> unsplit_;         ///< facets that were not asked yet whether to split

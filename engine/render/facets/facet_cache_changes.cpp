@@ -61,6 +61,7 @@ void FacetCache::start_anew(const RenderScene& scene) {
     group_of_cell_.clear();
     groups_.clear();
     unguided_.clear();
+    untried_.clear();
     stale_.clear();
     gathered_ = to_gather_ = 0;
     reflecting_ = false;

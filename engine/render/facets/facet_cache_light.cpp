@@ -13,6 +13,10 @@ namespace {
 constexpr std::uint32_t first_links = 32, least_links = 64, most_links = 2048;
 /// Where nothing arrived at all, its spread tells nothing either.
 constexpr std::uint32_t least_links_in_the_dark = 256;
+/// What the mean variance of a group counts beside a corner's own.
+constexpr float word_of_neighbours = 0.5f;
+/// Guides learn from so many times the links that they learned from before.
+constexpr std::uint32_t learning_links_grow_by = 4;
 /// Light between patches has settled when a reflection changes none by more than this share of their mean.
 constexpr float settled = 1e-3f;
 constexpr std::size_t most_reflections = 400, reflections_between = 2;
@@ -39,6 +43,7 @@ void FacetCache::work(const Facets& settings, const Deadline& deadline) {
     reflect(settings, deadline);
     gather(settings, deadline);
     guide_corners();
+    improve_guides();
     link_corners(settings, most_links, 1.0, deadline);
     if (unfinished_.empty() && !reflecting_ && !patches_->mending() && to_gather_ == 0) look_for_other_lights(deadline);
 }
@@ -75,13 +80,43 @@ void FacetCache::guide_corners() {
             waiting.push_back(number);
             continue;
         }
-        std::vector<Patches::Job> points;
-        for (const std::uint32_t corner : group.corners) points.push_back({.point = &corners_[corner].at, .by_chance = 0, .seed = corner + 1});
-        group.guide = std::make_unique<Guide>(patches_->guide_for(points));
+        group.guide = std::make_unique<Guide>(patches_->guide_for(jobs_of(group)));
+        group.tried = 0;
+        if (!group.guide->empty()) untried_.push_back(number);
         // What was found by chance alone has done its duty.
         for (const std::uint32_t corner : group.corners) link_anew(corner, group.guide.get());
     }
     unguided_.insert(unguided_.end(), waiting.begin(), waiting.end());
+}
+
+void FacetCache::improve_guides() {
+    std::vector<std::uint32_t> waiting;
+    for (const std::uint32_t number : std::exchange(untried_, {})) {
+        Group& group = groups_[number];
+        if (group.guide == nullptr || group.guide->empty()) continue;
+        // From few links, and again from more; where all have what they want there is nothing to gain.
+        const auto wanted = std::max(learning_links_grow_by * group.tried, least_links / 2);
+        bool done = true, linked = true;
+        for (const std::uint32_t corner : group.corners) {
+            done &= corners_[corner].done;
+            linked &= corners_[corner].done || corners_[corner].at.guided.size() >= wanted;
+        }
+        if (done && !group.corners.empty()) continue;
+        if (2 * wanted <= most_links / 2) waiting.push_back(number);
+        if (!linked) continue;
+        group.tried = wanted;
+        if (!patches_->improve(*group.guide, jobs_of(group))) continue;
+        for (const std::uint32_t corner : group.corners) link_anew(corner, group.guide.get());
+    }
+    untried_.insert(untried_.end(), waiting.begin(), waiting.end());
+}
+
+std::vector<Patches::Job> FacetCache::jobs_of(const Group& group) {
+    std::vector<Patches::Job> jobs;
+    for (const std::uint32_t corner : group.corners) {
+        if (!corners_[corner].gone) jobs.push_back({.point = &corners_[corner].at, .by_chance = 0, .seed = 0});
+    }
+    return jobs;
 }
 
 void FacetCache::link_corners(const Facets& settings, std::uint32_t most, double share, const Deadline& deadline) {
@@ -106,7 +141,8 @@ void FacetCache::link_corners(const Facets& settings, std::uint32_t most, double
         while (!deadline.passed(0.5) && patches_->renew(patches_at_once)) {}
         light_moves();
         // At once, for what there is: until then a new place is dark.
-        tbb::parallel_for(first, done, [&](std::size_t i) { judge(unfinished_[i], settings); });
+        tbb::parallel_for(first, done, [&](std::size_t i) { judge(unfinished_[i]); });
+        for (std::size_t i = first; i < done; ++i) decide(unfinished_[i], settings);
         table_is_old_ = true;
     }
     unfinished_.erase(unfinished_.begin(), unfinished_.begin() + static_cast<std::ptrdiff_t>(done));
@@ -144,7 +180,8 @@ void FacetCache::gather(const Facets& settings, const Deadline& deadline) {
     const std::size_t all = corners_.size();
     for (bool first = true; to_gather_ > 0 && (first || !deadline.passed()); first = false) {
         const std::size_t batch = std::min(to_gather_, 4 * corners_at_once);
-        tbb::parallel_for(std::size_t{0}, batch, [&](std::size_t i) { judge(static_cast<std::uint32_t>((gathered_ + i) % all), settings); });
+        tbb::parallel_for(std::size_t{0}, batch, [&](std::size_t i) { judge(static_cast<std::uint32_t>((gathered_ + i) % all)); });
+        for (std::size_t i = 0; i < batch; ++i) decide(static_cast<std::uint32_t>((gathered_ + i) % all), settings);
         gathered_ = (gathered_ + batch) % all;
         to_gather_ -= batch;
         table_is_old_ = true;
@@ -152,17 +189,29 @@ void FacetCache::gather(const Facets& settings, const Deadline& deadline) {
     std::erase_if(unfinished_, [&](std::uint32_t corner) { return corners_[corner].done; });
 }
 
-void FacetCache::judge(std::uint32_t corner, const Facets& settings) {
+void FacetCache::judge(std::uint32_t corner) {
     Corner& it = corners_[corner];
     if (it.gone || it.at.by_chance.empty()) return;
     const Patches::Gathered gathered = patches_->gather(it.at);
     it.at.irradiance = gathered.irradiance;
     it.lit = true;
-    const float mean = luminance(gathered.irradiance);
-    const std::size_t links = it.at.by_chance.size();
+    const float mean = luminance(gathered.irradiance), relative = mean > 0.0f ? gathered.error / mean : 0.0f;
+    it.spread = relative * relative * static_cast<float>(it.at.by_chance.size());
+}
+
+void FacetCache::decide(std::uint32_t corner, const Facets& settings) {
+    Corner& it = corners_[corner];
     // Without a guide it may have missed the brightest thing.
-    if (it.at.guide == nullptr) return;
-    it.done = it.done || (links >= (mean > 0.0f ? least_links : least_links_in_the_dark) && (gathered.error <= settings.noise * mean || links >= most_links));
+    if (it.gone || it.at.guide == nullptr || it.at.by_chance.empty()) return;
+    // What has missed the brightest so far seems dark and sure of it: its neighbours know better.
+    Group& group = groups_[it.group];
+    if (it.counted_spread < 0.0f) ++group.judged;
+    group.spread += it.spread - std::max(it.counted_spread, 0.0f);
+    it.counted_spread = it.spread;
+    const std::size_t links = it.at.by_chance.size();
+    const float spread = std::max(it.spread, word_of_neighbours * group.spread / static_cast<float>(group.judged));
+    const bool dark = !(luminance(it.at.irradiance) > 0.0f);
+    it.done = it.done || (links >= (dark ? least_links_in_the_dark : least_links) && (spread <= settings.noise * settings.noise * static_cast<float>(links) || links >= most_links));
 }
 
 }  // namespace sl

@@ -84,6 +84,9 @@ class Patches {
     Gathered gather(const GatherPoint& point) const { return gather(point, seen_); }
     /// Where rays of points near each other are best sent, judged by the links by chance that they have.
     Guide guide_for(std::span<const Job> points) const;
+    /// Whether the guided links of points tell that their guide should send rays elsewhere, as it does from now on. Their
+    /// links are not those of such a guide, and have to be found anew.
+    bool improve(Guide& guide, std::span<const Job> points) const;
     /// Mean luminance of what patches reflect, lux.
     float mean_light() const;
 
@@ -143,6 +146,17 @@ class Patches {
         SurfacePoint point;
     };
 
+    /// What is worth rays of its own.
+    struct Bright {
+        vec3 place;
+        float radius, share;
+    };
+    /// What sky is seen through.
+    struct Opening {
+        vec3 place;
+        float radius;
+    };
+
     /// One ray of a job.
     struct Probe {
         const Job* job;
@@ -157,11 +171,13 @@ class Patches {
     void forget_shadows(Patch& patch, const Bounds& box) const;
     void relink(std::span<const Job> jobs, const Bounds& box);
     bool passes(const GatherPoint& point, const Link& link, const Bounds& box) const;
-    Met by_chance(const Job& job, std::uint32_t number) const;
-    Met guided(const GatherPoint& from, std::uint32_t number) const;
-    Met follow(const GatherPoint& from, const SurfacePoint& start, vec3 direction) const;
+    Met by_chance(const Job& job, std::uint32_t number, const GuideCones& guide) const;
+    Met guided(const GatherPoint& from, std::uint32_t number, const GuideCones& guide) const;
+    Met follow(const GatherPoint& from, const SurfacePoint& start, vec3 direction, const GuideCones& guide) const;
     Gathered gather(const GatherPoint& point, const std::vector<vec3>& light) const;
-    void guide_to_glow(std::span<const Job> points, float rays, Guide& guide) const;
+    /// Luminance that arrives along a link, lux.
+    float brings(const Link& link) const;
+    std::optional<Opening> opening_beside(const GatherPoint& point, const Link& link) const;
     void remove_from_cell(std::uint32_t patch);
     std::uint32_t find(const SurfacePoint& point, float level) const;
     std::uint32_t add(const SurfacePoint& point, float level, bool sharp);
