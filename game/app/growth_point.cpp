@@ -99,14 +99,6 @@ App open_without_gi(const GrowthPoint& point) {
     return app;
 }
 
-/// How far the last frame's light is from what it comes to when the world and the camera stop.
-double behind(BenchWindow& window) {
-    const Image last = window.irradiance();
-    if (last.width != window.size.x) return 0.0;  // without indirect light there is nothing to wait for
-    window.draw(true);
-    return image_errors(last, window.irradiance(), window.depth().data).nrmse;
-}
-
 }  // namespace
 
 GrowthCost measure_growth(const GlobalFlags& global, const GrowthPoint& point) {
@@ -133,7 +125,11 @@ GrowthCost measure_growth(const GlobalFlags& global, const GrowthPoint& point) {
     }
     cost.gi_ms = spread_of(times);
     cost.memory_mb = resident_megabytes() - memory;
-    cost.behind = behind(window);
+    const Image last = window.irradiance();
+    window.draw(true);
+    cost.catch_up_ms = window.milliseconds;
+    // Without indirect light there is one pixel, and nothing to wait for.
+    if (last.width == point.size.x) cost.behind = image_errors(last, window.irradiance(), window.depth().data).nrmse;
     headless.check_errors();
     return cost;
 }

@@ -21,6 +21,7 @@ struct GrowthCost {
     Spread gi_ms;                ///< of frames in a window while the camera moves
     double anew_ms = 0.0;        ///< GI from nothing until everything that is wanted is known
     double behind = 0.0;         ///< NRMSE of the last frame's irradiance against what it comes to when all stops
+    double catch_up_ms = 0.0;    ///< GI until it has come to that
     double memory_mb = 0.0;      ///< that the method took beyond what the frame takes without it
     std::uint64_t blocks = 0;    ///< that there are
     std::uint64_t triangles = 0;  ///< of their meshes
