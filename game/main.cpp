@@ -29,6 +29,8 @@ int run(int argc, char** argv) {
                 bench.needs_command();
                 sl::add_bench_onoff_command(bench, flags);
                 sl::add_bench_changes_command(bench, flags);
+                sl::add_bench_growth_command(bench, flags);
+                sl::add_bench_motion_command(bench, flags);
                 sl::add_bench_gi_command(bench, flags);
                 sl::add_bench_rays_command(bench);
             },

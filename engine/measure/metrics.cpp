@@ -29,11 +29,6 @@ double ratio(double numerator, double denominator) {
     return std::copysign(std::numeric_limits<double>::infinity(), numerator);
 }
 
-double luminance(const Image& image, std::size_t i) {
-    const float* p = &image.data[i * image.channels];
-    return 0.2126 * double{p[0]} + 0.7152 * double{p[1]} + 0.0722 * double{p[2]};
-}
-
 void check_pair(const Image& image, const Image& reference, const std::vector<float>& mask) {
     CHECK(image.width == reference.width && image.height == reference.height, "{}x{} against {}x{}", image.width,
           image.height, reference.width, reference.height);
@@ -55,15 +50,15 @@ std::vector<double> relative_errors(const Image& image, const Image& reference, 
     double sum = 0.0, count = 0.0;
     for (std::size_t i = 0; i < pixel_count(reference); ++i) {
         if (!compared(mask, i)) continue;
-        sum += luminance(reference, i);
+        sum += luminance_at(reference, i);
         count += 1.0;
     }
     const double dark = count > 0.0 ? dark_share * std::max(sum / count, 0.0) : 0.0;
     std::vector<double> errors(pixel_count(reference));
     for (std::size_t i = 0; i < errors.size(); ++i) {
         if (!compared(mask, i)) continue;
-        const double r = luminance(reference, i);
-        errors[i] = ratio(std::abs(luminance(image, i) - r), std::abs(r) + dark);
+        const double r = luminance_at(reference, i);
+        errors[i] = ratio(std::abs(luminance_at(image, i) - r), std::abs(r) + dark);
     }
     return errors;
 }
@@ -132,6 +127,11 @@ void check_finite(const std::string& name, const Image& image, const std::vector
         "{}: {} of {} pixels hold infinity or no number, the first at column {}, row {}; an error figure would hide "
         "them",
         name, bad, pixel_count(image), first % image.width, first / image.width);
+}
+
+double luminance_at(const Image& image, std::size_t pixel) {
+    const float* p = &image.data[pixel * image.channels];
+    return 0.2126 * double{p[0]} + 0.7152 * double{p[1]} + 0.0722 * double{p[2]};
 }
 
 double masked_mean(const Image& map, const std::vector<float>& mask) {

@@ -30,6 +30,9 @@ Image relative_error_map(const Image& image, const Image& reference, const std::
 /// `name`, how many pixels, and where the first one is (column and row from 0 at the top left).
 void check_finite(const std::string& name, const Image& image, const std::vector<float>& mask);
 
+/// Rec. 709 luminance of a pixel's first three channels; pixels are counted row by row.
+double luminance_at(const Image& image, std::size_t pixel);
+
 /// Mean of a one-channel image over the pixels where `mask` is not 0 (all, where it is empty); 0 when there are none.
 double masked_mean(const Image& map, const std::vector<float>& mask);
 

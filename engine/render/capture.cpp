@@ -39,15 +39,6 @@ Image without_alpha(const Image& image) {
     return result;
 }
 
-Image decoded_normals(const Image& encoded) {
-    Image result(encoded.width, encoded.height, 3);
-    for (std::size_t i = 0; i < std::size_t{encoded.width} * encoded.height; ++i) {
-        const vec3 n = octahedral_decode(vec2(encoded.data[i * 2], encoded.data[i * 2 + 1]) * 2.0f - 1.0f);
-        for (int c = 0; c < 3; ++c) result.data[i * 3 + static_cast<std::size_t>(c)] = n[c];
-    }
-    return result;
-}
-
 /// Without indirect light a frame holds one black pixel of it; a capture shows a black picture.
 Image at_least(Image image, const CaptureSettings& settings) {
     const bool single = image.width == 1 && image.height == 1;
@@ -66,6 +57,15 @@ std::vector<ImageLayer> read_layers(const Renderer& renderer, const FrameOutput&
 }
 
 }  // namespace
+
+Image decoded_normals(const Image& encoded) {
+    Image result(encoded.width, encoded.height, 3);
+    for (std::size_t i = 0; i < std::size_t{encoded.width} * encoded.height; ++i) {
+        const vec3 n = octahedral_decode(vec2(encoded.data[i * 2], encoded.data[i * 2 + 1]) * 2.0f - 1.0f);
+        for (int c = 0; c < 3; ++c) result.data[i * 3 + static_cast<std::size_t>(c)] = n[c];
+    }
+    return result;
+}
 
 Capture capture(App& app, Renderer& renderer, const CaptureSettings& settings) {
     Capture result;

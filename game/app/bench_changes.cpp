@@ -6,11 +6,8 @@
 #include "engine/ecs/components.h"
 #include "engine/ecs/query.h"
 #include "engine/measure/metrics.h"
-#include "engine/render/pass_times.h"
-#include "engine/render/scene/extract.h"
-#include "game/app/bench_side.h"
+#include "game/app/bench_window.h"
 #include "game/app/progress.h"
-#include "game/voxel_content.h"
 
 namespace sl {
 
@@ -46,14 +43,8 @@ Entity torch(World& world) {
     return {};
 }
 
-/// A block on the surface that the camera looks at, or none where it looks at none.
-void place_block(World& world) {
-    const auto& camera = world.get<WorldTransform>(active_camera(world));
-    if (const auto pick = pick_block(world, camera.origin, -camera.linear[2], 100.0f)) set_block(world, pick->entity, pick->cell + pick->normal, Block::stone);
-}
-
 std::vector<Change> changes() {
-    return {{"a block is placed", [](World&) {}, &place_block},
+    return {{"a block is placed", [](World&) {}, [](World& world) { place_block(world); }},
             {"a torch moves by 1 m",
              [](World& world) {
                  world.create(Transform{.translation = before_camera(world, 3.0)}, PointLight{.intensity = 20000.0f, .range = torch_range});
@@ -64,26 +55,6 @@ std::vector<Change> changes() {
                  for (auto [entity, sun] : Query<SunAngles>(world)) sun.azimuth += glm::radians(10.0f);
              }}};
 }
-
-/// A world drawn frame by frame as in a window.
-struct Window {
-    App app;
-    uvec2 size;
-    Renderer renderer{shader_folder()};
-    RenderScene scene;
-    double milliseconds = 0.0;  ///< of the last frame's GI
-    float progress = 0.0f;
-
-    Image draw(bool all) {
-        app.schedule.run(app.world);
-        extract(app.world, scene);
-        renderer.executor().set_timing(true);
-        const auto result = renderer.render(scene, {.width = size.x, .height = size.y, .slice_budget = all ? ~0u : 1u, .wanted = {"depth"}, .want_irradiance = true});
-        milliseconds = gi_milliseconds(renderer.executor().finished_timings()) + 1e3 * result.images.gi_traced_seconds;
-        progress = result.images.gi_progress;
-        return renderer.read(renderer.find_image("irradiance"), 0);
-    }
-};
 
 struct Shot {
     Image irradiance;
@@ -103,19 +74,20 @@ double settled_share(const Image& now, const Image& end, const std::vector<float
 }
 
 nlohmann::json measure(const std::string& scene, const Change& change, const ChangesFlags& flags) {
-    Window window{.app = open_scene({.scene = scene, .gi = flags.gi, .sets = flags.sets}), .size = parse_size(flags.size)};
+    BenchWindow window{.app = open_scene({.scene = scene, .gi = flags.gi, .sets = flags.sets}), .size = parse_size(flags.size)};
     change.prepare(window.app.world);
     Progress progress(fmt::format("{}, {}", scene, change.name));
-    const Image before = window.draw(true);
+    window.draw(true);
+    const Image before = window.irradiance();
     change.make(window.app.world);
     std::vector<Shot> shots;
     for (std::uint32_t frame = 0; frame < flags.frames; ++frame) {
-        Image irradiance = window.draw(false);
-        shots.push_back({std::move(irradiance), window.milliseconds});
+        window.draw(false);
+        shots.push_back({window.irradiance(), window.milliseconds});
         progress.update(frame + 1, flags.frames);
     }
-    const Image end = window.draw(true);
-    const Image depth = window.renderer.read(window.renderer.find_image("depth"), 0);
+    window.draw(true);
+    const Image end = window.irradiance(), depth = window.depth();
     fmt::print("\n{} · {} · {}\n  changes the light by {:.1f} % (NRMSE)\n  {:>6}{:>12}{:>14}{:>24}\n", scene, flags.gi, change.name,
                100.0 * image_errors(before, end, depth.data).nrmse, "frame", "GI ms", "NRMSE", "pixels within 10 %");
     nlohmann::json json{{"scene", scene}, {"change", change.name}, {"size", image_errors(before, end, depth.data).nrmse}};

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <nlohmann/json.hpp>
-
 #include "engine/core/error.h"
 #include "engine/core/text_file.h"
 #include "engine/ecs/query.h"
@@ -8,6 +6,7 @@
 #include "engine/render/capture.h"
 #include "game/app/bench_side.h"
 #include "game/app/progress.h"
+#include "game/app/spread_json.h"
 
 namespace sl {
 
@@ -24,10 +23,6 @@ struct BenchFlags {
 };
 
 std::string row(const Spread& s) { return fmt::format("{:>10.2f}{:>10.2f}{:>10.2f}{:>10.2f}{:>10.2f}", s.median, s.first, s.third, s.low, s.high); }
-
-nlohmann::json json_of(const Spread& s) {
-    return {{"median", s.median}, {"quartile_1", s.first}, {"quartile_3", s.third}, {"min", s.low}, {"max", s.high}};
-}
 
 nlohmann::json report(const std::string& scene, const std::string& method, const BenchSide& off, const BenchSide& on) {
     std::vector<double> ratios, differences;
