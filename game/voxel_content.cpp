@@ -83,7 +83,8 @@ void mesh_changed_chunk(World& world, Entity owner, VoxelContent& content, const
     mesh.version = old.version + 1;
     // A hair more than the blocks: faces of those beside them lie in their sides.
     const float block = volume.block_size();
-    const vec3 low = vec3(volume.changed_low() - chunk_low(key)) * block, high = vec3(volume.changed_high() - chunk_low(key)) * block;
+    const VoxelVolume::Box box = volume.changed_box(key);
+    const vec3 low = vec3(box.low - chunk_low(key)) * block, high = vec3(box.high - chunk_low(key)) * block;
     mesh.changed = Bounds{low, high}.grown(0.01f * block);
     old = std::move(mesh);
     world.get<ChunkMesh>(found->second) = built;

@@ -63,16 +63,13 @@ void VoxelVolume::fill_in_chunk(ivec3 key, ivec3 low, ivec3 high, Block kind) {
         }
     }
     if (changed_high.x < 0) return;
-    const bool first = changed_low_ == changed_high_;
-    const ivec3 low_now = chunk_low(key) + changed_low, high_now = chunk_low(key) + changed_high + 1;
-    changed_low_ = first ? low_now : glm::min(changed_low_, low_now);
-    changed_high_ = first ? high_now : glm::max(changed_high_, high_now);
-    changed_.insert(key);
+    const Box box{chunk_low(key) + changed_low, chunk_low(key) + changed_high + 1};
+    changed_[key].add(box);
     for (int axis = 0; axis < 3; ++axis) {
         ivec3 side(0);
         side[axis] = 1;
-        if (changed_low[axis] == 0 && chunk(key - side) != nullptr) changed_.insert(key - side);
-        if (changed_high[axis] == chunk_size - 1 && chunk(key + side) != nullptr) changed_.insert(key + side);
+        if (changed_low[axis] == 0 && chunk(key - side) != nullptr) changed_[key - side].add(box);
+        if (changed_high[axis] == chunk_size - 1 && chunk(key + side) != nullptr) changed_[key + side].add(box);
     }
     if (target.count == 0) chunks_.erase(found);
 }
@@ -91,12 +88,22 @@ std::vector<ivec3> VoxelVolume::chunk_keys() const {
 }
 
 std::vector<ivec3> VoxelVolume::take_changed_chunks() {
-    std::vector<ivec3> keys(changed_.begin(), changed_.end());
-    changed_.clear();
-    taken_low_ = std::exchange(changed_low_, ivec3(0));
-    taken_high_ = std::exchange(changed_high_, ivec3(0));
+    taken_ = std::exchange(changed_, {});
+    std::vector<ivec3> keys;
+    for (const auto& entry : taken_) keys.push_back(entry.first);
     std::sort(keys.begin(), keys.end(), before);
     return keys;
+}
+
+VoxelVolume::Box VoxelVolume::changed_box(ivec3 key) const {
+    const auto found = taken_.find(key);
+    return found != taken_.end() ? found->second : Box{};
+}
+
+void VoxelVolume::Box::add(const Box& other) {
+    const bool first = low == high;
+    low = first ? other.low : glm::min(low, other.low);
+    high = first ? other.high : glm::max(high, other.high);
 }
 
 ivec3 VoxelVolume::low() const {

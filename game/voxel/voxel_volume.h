@@ -68,9 +68,14 @@ class VoxelVolume {
     /// kind and the existing ones that touch a written block. A key without a chunk says that the chunk
     /// became air.
     std::vector<ivec3> take_changed_chunks();
-    /// Box around all blocks that had changed when that was called last, high exclusive; low == high when there were none.
-    ivec3 changed_low() const { return taken_low_; }
-    ivec3 changed_high() const { return taken_high_; }
+    /// A box of blocks, high exclusive; low == high when there are none.
+    struct Box {
+        ivec3 low{0}, high{0};
+
+        void add(const Box& other);
+    };
+    /// Box around the blocks for which a chunk was in the last answer of take_changed_chunks, its own or right beside it.
+    Box changed_box(ivec3 key) const;
 
     /// Box of blocks around all chunks that are not air, high exclusive; low == high when there is none.
     ivec3 low() const;
@@ -83,8 +88,7 @@ class VoxelVolume {
 
     float block_size_;
     std::unordered_map<ivec3, Chunk, IvecHash> chunks_;
-    std::unordered_set<ivec3, IvecHash> changed_;
-    ivec3 changed_low_{0}, changed_high_{0}, taken_low_{0}, taken_high_{0};
+    std::unordered_map<ivec3, Box, IvecHash> changed_, taken_;
 };
 
 }  // namespace sl

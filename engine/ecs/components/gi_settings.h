@@ -55,7 +55,7 @@ struct Facets {
     static constexpr std::string_view name = "facets";
     static constexpr std::string_view claims = "all bounces of all lights, sky and glowing surfaces, with occlusion";
     float spacing = 8.0f;
-    float noise = 0.1f;
+    float noise = 0.07f;
     float budget_ms = 8.0f;
     std::uint32_t bounces = 64;
     float strength = 1.0f;

@@ -7,8 +7,9 @@
 namespace sl {
 
 float FacetCache::update(const RenderScene& scene, const FrameParams& frame, const Facets& settings, const Budget& budget) {
-    const Deadline deadline(budget.seconds);
     follow_changes(scene, frame, settings);
+    // What has changed must be known before anything else, whatever that takes.
+    const Deadline deadline(budget.seconds);
     if (std::memcmp(&seen_.clip_from_world, &frame.clip_from_world, sizeof(mat4)) != 0 || seen_.ray_up.w != frame.ray_up.w || seen_.ray_right.w != frame.ray_right.w ||
         spacing_ != settings.spacing) {
         looks_ = 0;
@@ -34,8 +35,9 @@ float FacetCache::update(const RenderScene& scene, const FrameParams& frame, con
 
 float FacetCache::share_known() const {
     const auto corners = static_cast<float>(std::max<std::size_t>(corners_.size(), 1));
-    const float links = 1.0f - static_cast<float>(unfinished_.size()) / corners, light = 1.0f - static_cast<float>(to_gather_) / corners;
-    return std::min(links, light) * (reflecting_ || patches_->mending() || !stale_.empty() ? 0.99f : 1.0f);
+    const float links = 1.0f - static_cast<float>(unfinished_.size()) / corners;
+    const bool settled = !reflecting_ && to_gather_ == 0 && unmended_.empty() && !patches_->mending() && stale_.empty();
+    return links * (settled ? 1.0f : 0.99f);
 }
 
 void FacetCache::fill_table() {

@@ -48,6 +48,7 @@ class FacetCache {
         std::unique_ptr<Guide> guide;
         float spread = 0.0f;      ///< sum of its corners' spreads
         std::uint32_t judged = 0;  ///< corners in that sum
+        bool stale = false;        ///< the guide was made in other light
         std::uint32_t tried = 0;  ///< guided links that each corner had when the guide last learned from them
     };
     struct Facet {
@@ -62,16 +63,20 @@ class FacetCache {
     void follow_changes(const RenderScene& scene, const FrameParams& frame, const Facets& settings);
     void start_anew(const RenderScene& scene);
     void change_lights(const RenderScene& scene);
-    Bounds changed_surfaces(const RenderScene& scene) const;
-    void change_surfaces(const RenderScene& scene, const FrameParams& frame, const Facets& settings, const Bounds& box);
+    std::vector<Bounds> changed_surfaces(const RenderScene& scene) const;
+    void change_surfaces(const RenderScene& scene, const FrameParams& frame, const Facets& settings, const std::vector<Bounds>& boxes);
     /// Returns where there are none now.
     Bounds forget_facets(const Bounds& box);
-    void light_has_changed();
+    void mend_later(const std::vector<Bounds>& boxes);
+    void mend(const Deadline& deadline);
+    void look_again_at_splits();
+    void distrust_guide(std::uint32_t group);
     void look_around(const FrameParams& frame, const Facets& settings, const Deadline& deadline);
     /// All looks, at what a box covers.
     void look_at(const FrameParams& frame, const Facets& settings, const Bounds& where);
-    /// Returns the share of rays that met what was not known.
-    float look(const FrameParams& frame, const Facets& settings, std::uint32_t number, const Bounds& where);
+    /// At one pixel of each square, of those `margin` beyond the picture's edge as well. Returns the share of rays that met
+    /// what was not known.
+    float look(const FrameParams& frame, const Facets& settings, std::uint32_t number, std::uint32_t margin, const Bounds& where);
     void add(const SurfacePoint& point, float level, std::uint32_t depth);
     std::uint32_t corner_of(Facet& facet, FacetName name, vec2 within, uvec2 lattice);
     void work(const Facets& settings, const Deadline& deadline);
@@ -106,6 +111,7 @@ class FacetCache {
     std::vector<std::uint32_t> unguided_;  ///< groups without a guide
     std::vector<std::uint32_t> untried_;   ///< groups whose guide knows nothing yet of what stands in between
     std::vector<std::uint32_t> stale_;     ///< groups whose guide was made in other light
+    std::vector<std::uint32_t> unmended_;    ///< corners that do not know yet of changed surfaces; those most concerned come last
     std::vector<std::uint32_t> unfinished_;  ///< corners that want more links, those with fewest first
     std::vector<FacetName> unsplit_;         ///< facets that were not asked yet whether to split
     bool reflecting_ = false;         ///< light between patches has not settled
@@ -116,7 +122,8 @@ class FacetCache {
     FacetTable table_;
     bool table_is_old_ = false;
     std::uint64_t version_ = 0;
-    std::uint32_t looks_ = 0;  ///< since the camera or the scene changed
+    std::uint32_t looks_ = 0;      ///< since the camera or the scene changed
+    std::uint32_t all_looks_ = 0;  ///< ever
     FrameParams seen_{};
     float spacing_ = 0.0f, noise_ = 0.0f;  ///< settings of the last frame
     std::uint32_t bounces_ = 0;

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "engine/render/facets/facet_cache.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include "engine/render/facets/facet_corner.h"
 
 namespace sl {
 
@@ -11,6 +15,10 @@ namespace {
 
 /// Of the scene's size: where more of it has changed, nothing is worth keeping.
 constexpr float most_changed = 0.5f;
+/// Changes elsewhere in one frame that are followed as such, and corners that follow in order of what they see of them.
+constexpr std::size_t most_boxes = 32, most_urgent = 4096, corners_at_once = 64, patches_at_once = 64;
+/// Share of a corner's links that surfaces may change without other light being seen.
+constexpr float much_renewed = 0.25f;
 
 /// What all that was traced depends on.
 std::uint64_t materials_of(const RenderScene& scene) { return hash_bytes(hash_mix(1, scene.materials_hash), &scene.origin, sizeof(dvec3)); }
@@ -24,7 +32,7 @@ void FacetCache::follow_changes(const RenderScene& scene, const FrameParams& fra
         start_anew(scene);
     } else {
         if (surfaces != surfaces_) {
-            if (const Bounds box = changed_surfaces(scene); !box.empty()) change_surfaces(scene, frame, settings, box);
+            if (const auto boxes = changed_surfaces(scene); !boxes.empty()) change_surfaces(scene, frame, settings, boxes);
         }
         if (lights_ != scene.lights || world_->sky != scene.sky_radiance) change_lights(scene);
     }
@@ -62,6 +70,7 @@ void FacetCache::start_anew(const RenderScene& scene) {
     groups_.clear();
     unguided_.clear();
     untried_.clear();
+    unmended_.clear();
     stale_.clear();
     gathered_ = to_gather_ = 0;
     reflecting_ = false;
@@ -70,21 +79,37 @@ void FacetCache::start_anew(const RenderScene& scene) {
     table_is_old_ = true;
 }
 
-Bounds FacetCache::changed_surfaces(const RenderScene& scene) const {
-    Bounds result;
+std::vector<Bounds> FacetCache::changed_surfaces(const RenderScene& scene) const {
+    std::vector<Bounds> boxes;
     std::unordered_map<std::uint64_t, Bounds> left = draws_;
     for (const RenderScene::Draw& draw : scene.draws) {
         if (left.erase(draw.content) > 0) continue;
         // Of a mesh that was edited once, only the edited part is another one.
         const bool edited = !draw.changed.empty() && left.erase(draw.content_before) > 0;
-        result.add(edited ? draw.changed : draw.bounds);
+        boxes.push_back(edited ? draw.changed : draw.bounds);
     }
-    for (const auto& [content, bounds] : left) result.add(bounds);
-    return result;
+    for (const auto& [content, bounds] : left) boxes.push_back(bounds);
+    std::erase_if(boxes, [](const Bounds& box) { return box.empty(); });
+    // What touches is one change.
+    for (std::size_t i = 0; i < boxes.size();) {
+        const auto other = std::ranges::find_if(boxes.begin() + static_cast<std::ptrdiff_t>(i) + 1, boxes.end(), [&](const Bounds& box) { return box.touches(boxes[i]); });
+        if (other == boxes.end() && boxes.size() <= most_boxes) {
+            ++i;
+            continue;
+        }
+        const auto merged = other == boxes.end() ? boxes.end() - 1 : other;
+        if (merged == boxes.begin() + static_cast<std::ptrdiff_t>(i)) break;
+        boxes[i].add(*merged);
+        boxes.erase(merged);
+        i = 0;
+    }
+    return boxes;
 }
 
-void FacetCache::change_surfaces(const RenderScene& scene, const FrameParams& frame, const Facets& settings, const Bounds& box) {
-    if (box.radius() > most_changed * scene.bounds.radius()) return start_anew(scene);
+void FacetCache::change_surfaces(const RenderScene& scene, const FrameParams& frame, const Facets& settings, const std::vector<Bounds>& boxes) {
+    for (const Bounds& box : boxes) {
+        if (box.radius() > most_changed * scene.bounds.radius()) return start_anew(scene);
+    }
     auto world = std::make_unique<TransportWorld>(scene, TransportSettings{});
     // Lights are another change.
     world->lights = world_->lights;
@@ -92,30 +117,71 @@ void FacetCache::change_surfaces(const RenderScene& scene, const FrameParams& fr
     world->bounces = world_->bounces;
     world->sky = world_->sky;
     world_.swap(world);
-    const Bounds without_facets = forget_facets(box);
-    std::vector<Patches::Job> points;
-    for (std::uint32_t i = 0; i < corners_.size(); ++i) {
-        if (!corners_[i].gone) points.push_back({.point = &corners_[i].at, .by_chance = 0, .seed = corners_[i].at.guide != nullptr ? 0 : i + 1});
-    }
-    patches_->change(*world_, box, points);
+    for (const Bounds& box : boxes) patches_->change(*world_, box);
     const auto before = world->emitters.balls(), now = world_->emitters.balls();
     std::vector<Emitters::Ball> glowing;
     std::ranges::copy_if(before, std::back_inserter(glowing), [&](const auto& ball) { return std::ranges::find(now, ball) == now.end(); });
     std::ranges::copy_if(now, std::back_inserter(glowing), [&](const auto& ball) { return std::ranges::find(before, ball) == before.end(); });
     if (!glowing.empty()) patches_->forget_light(glowing);
     // What is seen of the changed part, at once: there must be no holes.
-    look_at(frame, settings, without_facets);
-    light_has_changed();
+    for (const Bounds& box : boxes) look_at(frame, settings, forget_facets(box));
+    mend_later(boxes);
+    light_moves();
+    look_again_at_splits();
+}
+
+void FacetCache::mend_later(const std::vector<Bounds>& boxes) {
+    unmended_.clear();
+    std::vector<float> concern(corners_.size());
+    for (std::uint32_t i = 0; i < corners_.size(); ++i) {
+        if (corners_[i].gone || corners_[i].at.by_chance.empty()) continue;
+        unmended_.push_back(i);
+        // About the part of its view that they fill.
+        for (const Bounds& box : boxes) {
+            const vec3 offset = box.centre() - corners_[i].at.point.position;
+            concern[i] += box.radius() * box.radius() / glm::dot(offset, offset);
+        }
+    }
+    const std::size_t urgent = std::min(unmended_.size(), most_urgent);
+    const auto less = [&](std::uint32_t a, std::uint32_t b) { return concern[a] < concern[b]; };
+    std::ranges::nth_element(unmended_, unmended_.end() - static_cast<std::ptrdiff_t>(urgent), less);
+    std::sort(unmended_.end() - static_cast<std::ptrdiff_t>(urgent), unmended_.end(), less);
+}
+
+void FacetCache::mend(const Deadline& deadline) {
+    std::vector<Patches::Job> jobs;
+    // A little even where no time is left, or frequent changes would never be followed.
+    for (bool first = true; !unmended_.empty() && (first || !deadline.passed(0.6)); first = false) {
+        const std::size_t count = std::min(unmended_.size(), corners_at_once);
+        const std::vector<std::uint32_t> batch(unmended_.end() - static_cast<std::ptrdiff_t>(count), unmended_.end());
+        unmended_.resize(unmended_.size() - count);
+        jobs.clear();
+        for (const std::uint32_t corner : batch) {
+            if (!corners_[corner].gone) jobs.push_back({.point = &corners_[corner].at, .by_chance = 0, .seed = corners_[corner].at.guide != nullptr ? 0 : corner + 1});
+        }
+        patches_->mend(jobs);
+        while (patches_->renewing()) patches_->renew(patches_at_once);
+        tbb::parallel_for(std::size_t{0}, batch.size(), [&](std::size_t i) { judge(batch[i]); });
+        for (const std::uint32_t corner : batch) {
+            GatherPoint& at = corners_[corner].at;
+            if (static_cast<float>(at.renewed) > much_renewed * static_cast<float>(at.by_chance.size())) distrust_guide(corners_[corner].group);
+        }
+        light_moves();
+        table_is_old_ = true;
+    }
+    if (unmended_.empty() && !patches_->mending()) patches_->forget_changes();
 }
 
 Bounds FacetCache::forget_facets(const Bounds& box) {
     Bounds without = box;
     std::erase_if(facets_, [&](const auto& entry) {
-        const vec3 middle = entry.second.middle.position;
-        const float side = std::exp2(entry.second.level);
-        if (!box.grown(1.5f * side).contains(middle)) return false;
-        without.add(middle - side);
-        without.add(middle + side);
+        const Facet& facet = entry.second;
+        const float side = std::exp2(facet.level);
+        const vec2 within(facet_cell(facet.middle.position, facet.middle.normal(), facet.level).within);
+        const vec3 centre = along_surface(facet.middle, facet.level, 0.5f - within);
+        if (!box.grown(0.75f * side).contains(centre)) return false;
+        without.add(centre - 0.75f * side);
+        without.add(centre + 0.75f * side);
         return true;
     });
     std::erase_if(unsplit_, [&](FacetName name) { return !facets_.contains(name); });
@@ -141,19 +207,20 @@ void FacetCache::change_lights(const RenderScene& scene) {
     all_but(lights_, before, scene.lights);
     all_but(scene.lights, world_->lights, lights_);
     patches_->forget_light(changed);
-    light_has_changed();
-}
-
-void FacetCache::light_has_changed() {
     light_moves();
     // Guides know nothing of light that is new.
-    stale_.clear();
-    for (std::uint32_t group = 0; group < groups_.size(); ++group) {
-        if (groups_[group].guide) stale_.push_back(group);
-    }
+    for (std::uint32_t group = 0; group < groups_.size(); ++group) distrust_guide(group);
+    look_again_at_splits();
+}
+
+void FacetCache::look_again_at_splits() {
     for (const auto& [name, facet] : facets_) {
         if (!facet.split) unsplit_.push_back(name);
     }
+}
+
+void FacetCache::distrust_guide(std::uint32_t group) {
+    if (groups_[group].guide && !std::exchange(groups_[group].stale, true)) stale_.push_back(group);
 }
 
 }  // namespace sl

@@ -36,7 +36,8 @@ void FacetCache::work(const Facets& settings, const Deadline& deadline) {
         patches_->renew(patches_at_once);
         light_moves();
     }
-    while (!patches_->renewing() && !deadline.passed(0.5) && patches_->mend(patches_at_once)) light_moves();
+    mend(deadline);
+    while (unmended_.empty() && !patches_->renewing() && !deadline.passed(0.6) && patches_->mend(patches_at_once)) light_moves();
     do {
         while (!deadline.passed(0.5) && patches_->renew(patches_at_once)) light_moves();
     } while (!deadline.passed(0.5) && patches_->grow(patches_at_once));
@@ -60,6 +61,7 @@ void FacetCache::look_for_other_lights(const Deadline& deadline) {
         stale_.pop_back();
         for (const std::uint32_t corner : groups_[number].corners) link_anew(corner, nullptr);
         groups_[number].guide.reset();
+        groups_[number].stale = false;
         unguided_.push_back(number);
     }
 }

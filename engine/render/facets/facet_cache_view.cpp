@@ -17,6 +17,8 @@ namespace {
 constexpr std::uint32_t most_looks_per_side = 8;
 /// Looks in a frame of a camera that stands still.
 constexpr std::uint32_t looks_at_once = 5;
+/// Squares of the picture, beyond its edge, where light is gathered before a camera that moves sees them.
+constexpr std::uint32_t beyond_the_edge = 2;
 /// Share of a look that meets facets which are not known yet, where the camera has not moved but jumped.
 constexpr float elsewhere = 0.02f;
 /// The cosine of the angle under which facets are seen whole, and how many levels coarser a shader searches.
@@ -52,19 +54,20 @@ void FacetCache::look_around(const FrameParams& frame, const Facets& settings, c
     const std::uint32_t all = looks_per_side(settings) * looks_per_side(settings);
     std::uint32_t most = looks_ == 0 ? 1 : looks_at_once;
     for (std::uint32_t i = 0; i < most && looks_ < all && !deadline.passed(0.3); ++i) {
-        const float fresh = look(frame, settings, looks_++, everywhere);
+        ++looks_;
+        const float fresh = look(frame, settings, all_looks_++ % all, deadline.none() ? 0 : beyond_the_edge, everywhere);
         if (deadline.none() && fresh > elsewhere) most = all;
     }
 }
 
 void FacetCache::look_at(const FrameParams& frame, const Facets& settings, const Bounds& where) {
-    for (std::uint32_t i = 0; i < looks_per_side(settings) * looks_per_side(settings); ++i) look(frame, settings, i, where);
+    for (std::uint32_t i = 0; i < looks_per_side(settings) * looks_per_side(settings); ++i) look(frame, settings, i, 0, where);
 }
 
-float FacetCache::look(const FrameParams& frame, const Facets& settings, std::uint32_t number, const Bounds& where) {
+float FacetCache::look(const FrameParams& frame, const Facets& settings, std::uint32_t number, std::uint32_t margin, const Bounds& where) {
     const vec2 size(frame.ray_right.w, frame.ray_up.w);
     const float spacing = std::max(settings.spacing, 1.0f);
-    const uvec2 count(glm::ceil(size / spacing));
+    const uvec2 count = uvec2(glm::ceil(size / spacing)) + 2 * margin;
     const float side = facet_side_over_distance(frame, settings);
     const vec2 within = place_of_look(number, looks_per_side(settings));
     struct Seen {
@@ -73,7 +76,8 @@ float FacetCache::look(const FrameParams& frame, const Facets& settings, std::ui
     };
     std::vector<std::optional<Seen>> unknown(std::size_t{count.x} * count.y);
     tbb::parallel_for(std::size_t{0}, unknown.size(), [&](std::size_t i) {
-        const vec2 pixel = glm::min(glm::floor((vec2(i % count.x, i / count.x) + within) * spacing), size - 1.0f), at = (pixel + 0.5f) / size;
+        const vec2 cell = vec2(i % count.x, i / count.x) - static_cast<float>(margin), last = size - 1.0f + spacing * static_cast<float>(margin);
+        const vec2 at = (glm::min(glm::floor((cell + within) * spacing), last) + 0.5f) / size;
         const Ray ray{.origin = vec3(frame.camera_position), .direction = view_ray(frame, vec2(2.0f * at.x - 1.0f, 1.0f - 2.0f * at.y)), .nearest = frame.camera_position.w};
         if (!where.meets(ray.origin, ray.direction, std::numeric_limits<float>::infinity())) return;
         const auto hit = world_->scene.intersect_front(ray);

@@ -28,6 +28,8 @@ struct GatherPoint {
     std::vector<Link> by_chance;   ///< along rays with density cos θ / π
     std::vector<Link> guided;      ///< along rays that the guide has drawn
     vec3 irradiance{0.0f};         ///< as last gathered, lux
+    std::uint32_t changes = 0;     ///< of surfaces, which its links have followed
+    std::uint32_t renewed = 0;     ///< how many links did not survive those
 };
 
 /// The surfaces that others see, as patches that reflect diffusely, and the light that they exchange along links: a
@@ -54,12 +56,16 @@ class Patches {
     /// The world must outlive the patches.
     explicit Patches(const TransportWorld& world) { use(world); }
 
-    /// Goes on in a world whose surfaces differ within a box alone: what lies there is forgotten, and what was seen through
-    /// it is looked for anew, by these points as well. Lights are those of before.
-    void change(const TransportWorld& world, const Bounds& box, std::span<const Job> points);
-    /// The same for links of at most `most` patches to each other; false when no change is left to follow.
+    /// Goes on in a world whose surfaces differ within a box alone: what lies there is forgotten. Lights are those of before.
+    /// What points have seen there, or through it, stays until `mend`.
+    void change(const TransportWorld& world, const Bounds& box);
+    /// What these points' links met in or through boxes that have changed is looked for anew.
+    void mend(std::span<const Job> jobs);
+    /// The same for at most `most` patches; false when all have followed.
     bool mend(std::size_t most);
-    bool mending() const { return !changes_.empty(); }
+    bool mending() const { return mended_ < grown_ && !changes_.empty(); }
+    /// All points and patches have followed all changes.
+    void forget_changes() { changes_.clear(); }
 
     /// Follows the rays that points still lack; what they meet becomes a patch where it is none yet.
     void link(std::span<const Job> jobs);
@@ -131,11 +137,6 @@ class Patches {
         bool rough = false;        ///< few of its samples are lit
         bool gone = false;         ///< its surface is no longer there
     };
-    /// A box whose surfaces have changed, and how far patches have followed.
-    struct PastChange {
-        Bounds box;
-        std::size_t mended = 0;
-    };
     /// What a ray met.
     struct Met {
         std::uint32_t patch = nothing;  ///< or sky
@@ -168,8 +169,7 @@ class Patches {
     void use(const TransportWorld& world);
     void trace(std::vector<Probe>& rays);
     void forget(const Bounds& box);
-    void forget_shadows(Patch& patch, const Bounds& box) const;
-    void relink(std::span<const Job> jobs, const Bounds& box);
+    void forget_shadows(Patch& patch, const Bounds& box, std::span<const LightParams> lights) const;
     bool passes(const GatherPoint& point, const Link& link, const Bounds& box) const;
     Met by_chance(const Job& job, std::uint32_t number, const GuideCones& guide) const;
     Met guided(const GatherPoint& from, std::uint32_t number, const GuideCones& guide) const;
@@ -201,7 +201,9 @@ class Patches {
     std::vector<Emitters::Ball> glowing_;
     std::unordered_map<FacetName, std::uint32_t> first_;  ///< of a cell
     std::vector<std::uint32_t> waiting_;  ///< for direct light
-    std::vector<PastChange> changes_;
+    std::vector<Bounds> changes_;          ///< where surfaces have changed, as long as some links may not know of it
+    std::uint32_t all_changes_ = 0;        ///< ever; the last of `changes_` is the last of them
+    std::size_t mended_ = 0;               ///< patches before it know all of them
     std::vector<std::uint32_t> rough_;
     bool black_ = false;     ///< patches reflect nothing
     std::size_t grown_ = 0;  ///< patches before it have links of their own

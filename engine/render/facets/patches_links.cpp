@@ -68,8 +68,9 @@ Patches::Met Patches::follow(const GatherPoint& from, const SurfacePoint& start,
 void Patches::link(std::span<const Job> jobs) {
     std::vector<Probe> rays;
     for (const Job& job : jobs) {
-        const GatherPoint& point = *job.point;
+        GatherPoint& point = *job.point;
         const auto by_chance = static_cast<std::uint32_t>(point.by_chance.size()), guided = static_cast<std::uint32_t>(point.guided.size());
+        if (by_chance == 0) point.changes = all_changes_;
         for (std::uint32_t number = by_chance; number < job.by_chance; ++number) rays.push_back({&job, false, number, {}});
         const bool guide = point.guide != nullptr && !point.guide->empty();
         for (std::uint32_t number = guided; guide && number < job.by_chance / 2; ++number) rays.push_back({&job, true, number, {}});

@@ -38,11 +38,11 @@ TEST(VoxelVolume, AWriteMarksItsChunkOnce) {
     volume.set({5, 5, 5}, Block::dirt);
     volume.set({6, 5, 5}, Block::dirt);
     EXPECT_THAT(volume.take_changed_chunks(), ElementsAre(ivec3(0)));
-    EXPECT_EQ(volume.changed_low(), ivec3(5, 5, 5));
-    EXPECT_EQ(volume.changed_high(), ivec3(7, 6, 6));
+    EXPECT_EQ(volume.changed_box(ivec3(0)).low, ivec3(5, 5, 5));
+    EXPECT_EQ(volume.changed_box(ivec3(0)).high, ivec3(7, 6, 6));
     volume.set({6, 5, 5}, Block::dirt);
     EXPECT_THAT(volume.take_changed_chunks(), IsEmpty()) << "the same block again changes nothing";
-    EXPECT_EQ(volume.changed_low(), volume.changed_high());
+    EXPECT_EQ(volume.changed_box(ivec3(0)).low, volume.changed_box(ivec3(0)).high);
 }
 
 TEST(VoxelVolume, AWriteAtABorderMarksTheTouchingChunkThatExists) {
