@@ -6,6 +6,7 @@
 
 #include "engine/ecs/components/gi_settings.h"
 #include "engine/render/facets/deadline.h"
+#include "engine/render/facets/facet_corner.h"
 #include "engine/render/facets/facet_table.h"
 #include "engine/render/facets/patches.h"
 #include "engine/render/scene/frame_params.h"
@@ -38,8 +39,10 @@ class FacetCache {
         std::uint32_t group = 0;
         bool lit = false;   ///< it was gathered at least once
         bool done = false;
-        bool gone = false;  ///< its surface is no longer there
-        float spread = 0.0f;          ///< variance of one link's light over the squared mean
+        bool gone = false;  ///< nobody has it, and its place may be taken
+        std::uint32_t users = 0;       ///< facets that have it
+        FacetName shared_as = 0;       ///< its name in shared_corners_; 0: none
+        float spread = 0.0f;           ///< variance of one link's light over the squared mean
         float counted_spread = -1.0f;  ///< that its group knows of; -1: none
     };
     /// Corners close to each other, which see much the same.
@@ -79,6 +82,9 @@ class FacetCache {
     float look(const FrameParams& frame, const Facets& settings, std::uint32_t number, std::uint32_t margin, const Bounds& where);
     void add(const SurfacePoint& point, float level, std::uint32_t depth);
     std::uint32_t corner_of(Facet& facet, FacetName name, vec2 within, uvec2 lattice);
+    std::uint32_t add_corner(const FacetCorner& corner, float level, float group_level);
+    void release(std::uint32_t corner);
+    void bury_released();
     void work(const Facets& settings, const Deadline& deadline);
     void guide_corners();
     void improve_guides();
@@ -106,6 +112,8 @@ class FacetCache {
     std::unordered_map<FacetName, Facet> facets_;
     std::unordered_map<FacetName, std::uint32_t> shared_corners_;
     std::deque<Corner> corners_;
+    std::vector<std::uint32_t> released_;      ///< corners that are gone, though lists may hold them
+    std::vector<std::uint32_t> free_corners_;  ///< places where corners were
     std::unordered_map<FacetName, std::uint32_t> group_of_cell_;
     std::vector<Group> groups_;
     std::vector<std::uint32_t> unguided_;  ///< groups without a guide

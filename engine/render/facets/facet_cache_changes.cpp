@@ -7,8 +7,6 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/render/facets/facet_corner.h"
-
 namespace sl {
 
 namespace {
@@ -64,6 +62,8 @@ void FacetCache::start_anew(const RenderScene& scene) {
     facets_.clear();
     shared_corners_.clear();
     corners_.clear();
+    released_.clear();
+    free_corners_.clear();
     unfinished_.clear();
     unsplit_.clear();
     group_of_cell_.clear();
@@ -160,7 +160,7 @@ void FacetCache::mend(const Deadline& deadline) {
             if (!corners_[corner].gone) jobs.push_back({.point = &corners_[corner].at, .by_chance = 0, .seed = corners_[corner].at.guide != nullptr ? 0 : corner + 1});
         }
         patches_->mend(jobs);
-        while (patches_->renewing()) patches_->renew(patches_at_once);
+        while (patches_->dark()) patches_->renew(patches_at_once);
         tbb::parallel_for(std::size_t{0}, batch.size(), [&](std::size_t i) { judge(batch[i]); });
         for (const std::uint32_t corner : batch) {
             GatherPoint& at = corners_[corner].at;
@@ -174,22 +174,29 @@ void FacetCache::mend(const Deadline& deadline) {
 
 Bounds FacetCache::forget_facets(const Bounds& box) {
     Bounds without = box;
-    std::erase_if(facets_, [&](const auto& entry) {
-        const Facet& facet = entry.second;
+    const auto forgotten = [&](Facet& facet) {
         const float side = std::exp2(facet.level);
         const vec2 within(facet_cell(facet.middle.position, facet.middle.normal(), facet.level).within);
         const vec3 centre = along_surface(facet.middle, facet.level, 0.5f - within);
         if (!box.grown(0.75f * side).contains(centre)) return false;
+        const bool lost = box.contains(facet.middle.position) || std::ranges::any_of(facet.corners, [&](std::uint32_t corner) { return box.contains(corners_[corner].at.point.position); });
+        // Much larger ones have their corners where they had them, and finer ones are asked for where those differ.
+        if (!lost && side > 2.0f * box.radius()) {
+            facet.split = false;
+            return false;
+        }
         without.add(centre - 0.75f * side);
         without.add(centre + 0.75f * side);
+        for (const std::uint32_t corner : facet.corners) release(corner);
         return true;
-    });
-    std::erase_if(unsplit_, [&](FacetName name) { return !facets_.contains(name); });
-    for (Corner& corner : corners_) corner.gone = corner.gone || box.contains(corner.at.point.position);
-    const auto gone = [&](std::uint32_t corner) { return corners_[corner].gone; };
-    std::erase_if(unfinished_, gone);
-    std::erase_if(shared_corners_, [&](const auto& entry) { return box.grown(2.0f * std::exp2(corners_[entry.second].at.level)).contains(corners_[entry.second].at.point.position); });
-    for (Group& group : groups_) std::erase_if(group.corners, gone);
+    };
+    for (auto it = facets_.begin(); it != facets_.end();) it = forgotten(it->second) ? facets_.erase(it) : std::next(it);
+    // What stands beside a corner now may keep others from sharing it.
+    for (Corner& corner : corners_) {
+        if (corner.gone || corner.shared_as == 0 || !box.grown(0.2f * std::exp2(corner.at.level)).contains(corner.at.point.position)) continue;
+        shared_corners_.erase(std::exchange(corner.shared_as, 0));
+    }
+    bury_released();
     table_is_old_ = true;
     return without;
 }
@@ -214,6 +221,7 @@ void FacetCache::change_lights(const RenderScene& scene) {
 }
 
 void FacetCache::look_again_at_splits() {
+    unsplit_.clear();
     for (const auto& [name, facet] : facets_) {
         if (!facet.split) unsplit_.push_back(name);
     }

@@ -7,8 +7,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "engine/render/facets/facet_corner.h"
-
 namespace sl {
 
 namespace {
@@ -115,7 +113,10 @@ void FacetCache::add(const SurfacePoint& point, float level, std::uint32_t depth
     facet.middle = point;
     facet.level = level;
     facet.depth = depth;
-    for (std::uint32_t corner = 0; corner < 4; ++corner) facet.corners[corner] = corner_of(facet, name, vec2(cell.within), uvec2(corner & 1, corner >> 1));
+    for (std::uint32_t corner = 0; corner < 4; ++corner) {
+        facet.corners[corner] = corner_of(facet, name, vec2(cell.within), uvec2(corner & 1, corner >> 1));
+        ++corners_[facet.corners[corner]].users;
+    }
     unsplit_.push_back(name);
     table_is_old_ = true;
 }
@@ -126,20 +127,57 @@ std::uint32_t FacetCache::corner_of(Facet& facet, FacetName name, vec2 within, u
     const FacetName shared_name = (name & ~FacetName{0xffffffffu}) | (v << 16) | u;
     if (const auto known = shared_corners_.find(shared_name); known != shared_corners_.end()) return known->second;
     const FacetCorner corner = facet_corner(world_->scene, facet.middle, facet.level, within, vec2(lattice));
-    const auto id = static_cast<std::uint32_t>(corners_.size());
-    const FacetName cell = facet_name(facet_cell(corner.point.position, corner.point.normal(), facet.level + static_cast<float>(facet.depth) + group_level));
+    const std::uint32_t id = add_corner(corner, facet.level - 1.0f, facet.level + static_cast<float>(facet.depth) + group_level);
+    if (corner.shared) {
+        shared_corners_.emplace(shared_name, id);
+        corners_[id].shared_as = shared_name;
+    }
+    facet.cut |= corner.cut;
+    return id;
+}
+
+std::uint32_t FacetCache::add_corner(const FacetCorner& corner, float level, float level_of_group) {
+    auto id = static_cast<std::uint32_t>(corners_.size());
+    if (free_corners_.empty()) {
+        corners_.emplace_back();
+    } else {
+        id = free_corners_.back();
+        free_corners_.pop_back();
+    }
+    const FacetName cell = facet_name(facet_cell(corner.point.position, corner.point.normal(), level_of_group));
     const auto [group, fresh] = group_of_cell_.try_emplace(cell, static_cast<std::uint32_t>(groups_.size()));
     if (fresh) {
         unguided_.push_back(static_cast<std::uint32_t>(groups_.size()));
         groups_.emplace_back();
     }
     Group& its_group = groups_[group->second];
-    corners_.push_back({.at = {.point = corner.point, .level = facet.level - 1.0f, .guide = its_group.guide.get()}, .group = group->second});
+    corners_[id] = {.at = {.point = corner.point, .level = level, .guide = its_group.guide.get()}, .group = group->second};
     its_group.corners.push_back(id);
     unfinished_.push_back(id);
-    if (corner.shared) shared_corners_.emplace(shared_name, id);
-    facet.cut |= corner.cut;
     return id;
+}
+
+void FacetCache::release(std::uint32_t id) {
+    Corner& corner = corners_[id];
+    if (--corner.users > 0) return;
+    if (corner.shared_as != 0) shared_corners_.erase(corner.shared_as);
+    Group& group = groups_[corner.group];
+    std::erase(group.corners, id);
+    if (corner.counted_spread >= 0.0f) {
+        group.spread -= corner.counted_spread;
+        --group.judged;
+    }
+    corner = Corner{.gone = true};
+    released_.push_back(id);
+}
+
+void FacetCache::bury_released() {
+    if (released_.empty()) return;
+    const auto gone = [&](std::uint32_t corner) { return corners_[corner].gone; };
+    std::erase_if(unfinished_, gone);
+    std::erase_if(unmended_, gone);
+    free_corners_.insert(free_corners_.end(), released_.begin(), released_.end());
+    released_.clear();
 }
 
 void FacetCache::split_where_needed() {

@@ -85,8 +85,8 @@ std::uint32_t Patches::add(const SurfacePoint& point, float level, bool sharp) {
         --level;
         name = facet_name(facet_cell(point.position, point.normal(), level));
     }
-    const auto id = static_cast<std::uint32_t>(patches_.size());
-    Patch& patch = patches_.emplace_back();
+    const std::uint32_t id = place_for_one_more();
+    Patch& patch = patches_[id];
     patch.middle.point = point;
     // What patches see is told apart less finely from one to the next; else one small patch would ask for such ones all over.
     patch.sharp = sharp;
@@ -94,12 +94,27 @@ std::uint32_t Patches::add(const SurfacePoint& point, float level, bool sharp) {
     patch.cell = name;
     patch.level = level;
     patch.side = std::exp2(level);
+    places_[id] = vec4(point.position, patch.side);
     const auto [first, fresh] = first_.try_emplace(name, id);
     if (!fresh) patch.next = std::exchange(first->second, id);
-    wait(id);
+    patch.waiting = true;
+    dark_.push_back(id);
+    ungrown_.push_back(id);
+    return id;
+}
+
+std::uint32_t Patches::place_for_one_more() {
+    if (!free_.empty()) {
+        const std::uint32_t id = free_.back();
+        free_.pop_back();
+        patches_[id] = Patch{};
+        return id;
+    }
+    patches_.emplace_back();
     reflected_.push_back(vec3(0.0f));
     seen_.push_back(vec3(0.0f));
-    return id;
+    places_.emplace_back();
+    return static_cast<std::uint32_t>(patches_.size() - 1);
 }
 
 void Patches::remove_from_cell(std::uint32_t id) {

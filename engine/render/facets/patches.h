@@ -63,9 +63,9 @@ class Patches {
     void mend(std::span<const Job> jobs);
     /// The same for at most `most` patches; false when all have followed.
     bool mend(std::size_t most);
-    bool mending() const { return mended_ < grown_ && !changes_.empty(); }
-    /// All points and patches have followed all changes.
-    void forget_changes() { changes_.clear(); }
+    bool mending() const { return mended_ < patches_.size() && !changes_.empty(); }
+    /// All points and patches have followed all changes: no link leads to what is gone, and its place can be taken.
+    void forget_changes();
 
     /// Follows the rays that points still lack; what they meet becomes a patch where it is none yet.
     void link(std::span<const Job> jobs);
@@ -79,7 +79,9 @@ class Patches {
     /// none does.
     bool renew(std::size_t most);
     /// Whether some have not even a first estimate.
-    bool renewing() const { return !waiting_.empty(); }
+    bool renewing() const { return dark() || !waiting_.empty(); }
+    /// Whether some have no light at all.
+    bool dark() const { return !dark_.empty(); }
     /// One more reflection from these patches. Returns the largest change of one's luminance, lux.
     float reflect(std::size_t first, std::size_t last);
     std::size_t size() const { return patches_.size(); }
@@ -98,9 +100,9 @@ class Patches {
 
   private:
     static constexpr std::uint32_t links_of_a_patch = 32;
-    /// Strata, per side, in which a patch's direct light is sampled: of one that is lit evenly, and of one with a shadow's
-    /// edge in it.
-    static constexpr std::uint32_t few_strata = 4, many_strata = 8;
+    /// Strata, per side, in which a patch's direct light is sampled: at first, of one that is lit evenly, and of one with a
+    /// shadow's edge in it.
+    static constexpr std::uint32_t first_strata = 2, few_strata = 4, many_strata = 8;
 
     /// A place in a patch. There are many of them, so that they hold no more than light needs.
     class Sample {
@@ -169,7 +171,8 @@ class Patches {
     void use(const TransportWorld& world);
     void trace(std::vector<Probe>& rays);
     void forget(const Bounds& box);
-    void forget_shadows(Patch& patch, const Bounds& box, std::span<const LightParams> lights) const;
+    /// Of light that comes through a box. Returns whether there was any.
+    bool forget_shadows(Patch& patch, const Bounds& box, std::span<const LightParams> lights) const;
     bool passes(const GatherPoint& point, const Link& link, const Bounds& box) const;
     Met by_chance(const Job& job, std::uint32_t number, const GuideCones& guide) const;
     Met guided(const GatherPoint& from, std::uint32_t number, const GuideCones& guide) const;
@@ -181,11 +184,13 @@ class Patches {
     void remove_from_cell(std::uint32_t patch);
     std::uint32_t find(const SurfacePoint& point, float level) const;
     std::uint32_t add(const SurfacePoint& point, float level, bool sharp);
+    std::uint32_t place_for_one_more();
     bool belongs(const SurfacePoint& point, const Patch& patch) const;
     void spread_samples(Patch& patch, std::uint32_t strata) const;
     /// Lights each `every`th sample; returns whether they disagree.
     bool light_samples(Patch& patch, std::size_t every) const;
-    void light(std::uint32_t patch, bool all);
+    /// A first estimate, or all that it wants; returns whether it wants no more.
+    bool light(std::uint32_t patch, bool all);
     template <class Irradiance>
     void forget_where(Irradiance&& irradiance);
     void wait(std::uint32_t patch);
@@ -198,15 +203,19 @@ class Patches {
     std::deque<Patch> patches_;
     std::vector<vec3> reflected_;  ///< per patch, radiosity, lux; what other patches gather: what glows has lit them already
     std::vector<vec3> seen_;       ///< the same with its own glow
+    std::vector<vec4> places_;     ///< middle and side; side -1: gone. All that most of them are asked for when surfaces change
     std::vector<Emitters::Ball> glowing_;
     std::unordered_map<FacetName, std::uint32_t> first_;  ///< of a cell
-    std::vector<std::uint32_t> waiting_;  ///< for direct light
+    std::vector<std::uint32_t> dark_;     ///< wait for their first direct light
+    std::vector<std::uint32_t> waiting_;  ///< for direct light that is other than it was
     std::vector<Bounds> changes_;          ///< where surfaces have changed, as long as some links may not know of it
     std::uint32_t all_changes_ = 0;        ///< ever; the last of `changes_` is the last of them
     std::size_t mended_ = 0;               ///< patches before it know all of them
-    std::vector<std::uint32_t> rough_;
+    std::vector<std::uint32_t> rough_;    ///< for more of their samples to be lit
     bool black_ = false;     ///< patches reflect nothing
-    std::size_t grown_ = 0;  ///< patches before it have links of their own
+    std::vector<std::uint32_t> ungrown_;  ///< patches without links of their own, the first found first
+    std::vector<std::uint32_t> gone_;     ///< patches that links may still lead to
+    std::vector<std::uint32_t> free_;     ///< places where patches were
 };
 
 }  // namespace sl

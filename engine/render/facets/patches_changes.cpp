@@ -30,12 +30,18 @@ void Patches::change(const TransportWorld& world, const Bounds& box) {
     mended_ = 0;
 }
 
+void Patches::forget_changes() {
+    changes_.clear();
+    free_.insert(free_.end(), gone_.begin(), gone_.end());
+    gone_.clear();
+}
+
 bool Patches::mend(std::size_t most) {
     if (!mending()) return false;
     std::vector<Job> jobs;
-    for (; mended_ < grown_ && jobs.size() < most; ++mended_) {
+    for (; mended_ < patches_.size() && jobs.size() < most; ++mended_) {
         const auto id = static_cast<std::uint32_t>(mended_);
-        if (!patches_[id].gone) jobs.push_back({.point = &patches_[id].middle, .by_chance = links_of_a_patch, .seed = id + 1, .patch = id});
+        if (!patches_[id].middle.by_chance.empty()) jobs.push_back({.point = &patches_[id].middle, .by_chance = links_of_a_patch, .seed = id + 1, .patch = id});
     }
     mend(jobs);
     return true;
@@ -75,34 +81,49 @@ bool Patches::passes(const GatherPoint& point, const Link& link, const Bounds& b
 void Patches::forget(const Bounds& box) {
     std::vector<LightParams> lights;
     std::ranges::copy_if(world_->lights, std::back_inserter(lights), [&](const LightParams& light) { return may_throw_shadow(light, box); });
+    const auto may_matter = [&](vec3 middle, float side) {
+        const Bounds wide = box.grown(1.6f * side);
+        if (wide.contains(middle)) return true;
+        for (const LightParams& light : lights) {
+            const bool directional = light.kind.x == light_directional;
+            if (wide.meets(middle, directional ? -vec3(light.direction) : vec3(light.position) - middle, directional ? std::numeric_limits<float>::infinity() : 1.0f)) return true;
+        }
+        return std::ranges::any_of(glowing_, [&](const Emitters::Ball& ball) { return wide.grown(ball.radius).meets(middle, ball.place - middle, 1.0f); });
+    };
+    enum class Fate : char { stays, waits, goes };
+    std::vector<Fate> fates(patches_.size(), Fate::stays);
     tbb::parallel_for(std::size_t{0}, patches_.size(), [&](std::size_t id) {
+        const vec3 middle(places_[id]);
+        const float side = places_[id].w;
+        if (side < 0.0f || !may_matter(middle, side)) return;
         Patch& patch = patches_[id];
-        const vec3 middle = patch.middle.point.position;
         if (box.contains(middle)) {
-            patch.gone = true;
-        } else if (box.grown(1.5f * patch.side).contains(middle)) {
+            fates[id] = Fate::goes;
+        } else if (box.grown(1.5f * side).contains(middle)) {
             patch.samples.clear();
-        } else {
-            forget_shadows(patch, box, lights);
+            fates[id] = Fate::waits;
+        } else if (forget_shadows(patch, box, lights)) {
+            fates[id] = Fate::waits;
         }
     });
     for (std::uint32_t id = 0; id < patches_.size(); ++id) {
-        Patch& patch = patches_[id];
-        const auto unlit = [](const Sample& sample) { return !sample.known; };
-        if (patch.gone) {
-            patch.albedo = patch.lit = patch.glow = patch.middle.irradiance = vec3(0.0f);
-            set_radiosity(id);
-            remove_from_cell(id);
-        } else if (patch.samples.empty() || std::ranges::any_of(patch.samples, unlit)) {
-            wait(id);
-        }
+        if (fates[id] == Fate::waits) wait(id);
+        if (fates[id] != Fate::goes) continue;
+        remove_from_cell(id);
+        patches_[id] = Patch{.gone = true};
+        places_[id].w = -1.0f;
+        set_radiosity(id);
+        gone_.push_back(id);
     }
     const auto gone = [&](std::uint32_t id) { return patches_[id].gone; };
+    std::erase_if(dark_, gone);
     std::erase_if(waiting_, gone);
     std::erase_if(rough_, gone);
+    std::erase_if(ungrown_, gone);
 }
 
-void Patches::forget_shadows(Patch& patch, const Bounds& box, std::span<const LightParams> lights) const {
+bool Patches::forget_shadows(Patch& patch, const Bounds& box, std::span<const LightParams> lights) const {
+    bool any = false;
     const SurfacePoint& middle = patch.middle.point;
     for (const LightParams& light : lights) {
         const Ray to_light = shadow_ray(light, middle);
@@ -110,13 +131,17 @@ void Patches::forget_shadows(Patch& patch, const Bounds& box, std::span<const Li
         if (far || !box.grown(1.5f * patch.side).meets(to_light.origin, to_light.direction, to_light.farthest)) continue;
         for (Sample& sample : patch.samples) {
             const Ray ray = shadow_ray(light, sample.place());
-            sample.known = sample.known && !box.meets(ray.origin, ray.direction, ray.farthest);
+            if (!sample.known || !box.meets(ray.origin, ray.direction, ray.farthest)) continue;
+            sample.known = false;
+            any = true;
         }
     }
     for (const Emitters::Ball& ball : glowing_) {
         if (!box.grown(ball.radius + 1.5f * patch.side).meets(middle.position, ball.place - middle.position, 1.0f)) continue;
         for (Sample& sample : patch.samples) sample.known = false;
+        any = true;
     }
+    return any;
 }
 
 }  // namespace sl

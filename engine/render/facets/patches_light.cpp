@@ -76,21 +76,18 @@ void Patches::forget_light(std::span<const Emitters::Ball> glowing) {
 }
 
 bool Patches::renew(std::size_t most) {
-    const bool rough = !waiting_.empty();
-    std::vector<std::uint32_t>& list = rough ? waiting_ : rough_;
-    const std::size_t count = std::min(most, list.size());
-    const auto end = list.begin() + static_cast<std::ptrdiff_t>(count);
-    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) { light(list[i], !rough); });
-    if (rough) {
-        for (auto it = list.begin(); it != end; ++it) {
-            Patch& patch = patches_[*it];
-            if (std::exchange(patch.waiting, false) && !std::exchange(patch.rough, true)) rough_.push_back(*it);
-        }
-    } else {
-        for (auto it = list.begin(); it != end; ++it) patches_[*it].rough = false;
+    std::vector<std::uint32_t>& list = !dark_.empty() ? dark_ : !waiting_.empty() ? waiting_ : rough_;
+    const bool rough = &list == &rough_;
+    const std::vector<std::uint32_t> batch(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(std::min(most, list.size())));
+    list.erase(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(batch.size()));
+    std::vector<char> enough(batch.size());
+    tbb::parallel_for(std::size_t{0}, batch.size(), [&](std::size_t i) { enough[i] = light(batch[i], rough) ? 1 : 0; });
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+        Patch& patch = patches_[batch[i]];
+        (rough ? patch.rough : patch.waiting) = false;
+        if (enough[i] == 0 && !std::exchange(patch.rough, true)) rough_.push_back(batch[i]);
     }
-    list.erase(list.begin(), end);
-    return count > 0;
+    return !batch.empty();
 }
 
 bool Patches::light_samples(Patch& patch, std::size_t every) const {
@@ -134,21 +131,18 @@ bool Patches::light_samples(Patch& patch, std::size_t every) const {
     return squares * count > (1.0f + even * even) * sum * sum;
 }
 
-void Patches::light(std::uint32_t id, bool all) {
+bool Patches::light(std::uint32_t id, bool all) {
     Patch& patch = patches_[id];
-    if (patch.samples.empty()) {
-        spread_samples(patch, few_strata);
-        all = true;
-    }
-    const std::size_t every = all ? 1 : std::max<std::size_t>(patch.samples.size() / first_samples, 1);
+    const bool fresh = patch.samples.empty();
+    if (fresh || (all && patch.strata < few_strata)) spread_samples(patch, all ? few_strata : first_strata);
+    const std::size_t every = all || fresh ? 1 : std::max<std::size_t>(patch.samples.size() / first_samples, 1);
     const bool uneven = light_samples(patch, every);
-    // Stays on the list of those that want all their samples.
-    patch.waiting = every > 1;
-    if (every == 1 && uneven && patch.strata < many_strata) {
+    if (all && uneven && patch.strata < many_strata) {
         spread_samples(patch, many_strata);
         light_samples(patch, 1);
     }
     set_radiosity(id);
+    return patch.strata >= few_strata && every == 1;
 }
 
 void Patches::set_radiosity(std::uint32_t id) {
@@ -206,7 +200,8 @@ vec3 Patches::from_sky(const GatherPoint& point) const {
 float Patches::mean_light() const {
     double sum = 0.0;
     for (const vec3& light : reflected_) sum += luminance(light);
-    return reflected_.empty() ? 0.0f : static_cast<float>(sum / static_cast<double>(reflected_.size()));
+    const std::size_t patches = patches_.size() - gone_.size() - free_.size();
+    return patches == 0 ? 0.0f : static_cast<float>(sum / static_cast<double>(patches));
 }
 
 }  // namespace sl

@@ -103,12 +103,12 @@ void Patches::trace(std::vector<Probe>& rays) {
 
 bool Patches::grow(std::size_t most) {
     std::vector<Job> jobs;
-    for (; grown_ < patches_.size() && jobs.size() < most; ++grown_) {
-        if (patches_[grown_].gone) continue;
+    const std::size_t count = std::min(most, ungrown_.size());
+    for (const std::uint32_t id : std::span(ungrown_).first(count)) {
         // Each its own directions: their errors cancel in what others gather from them.
-        const auto id = static_cast<std::uint32_t>(grown_);
         jobs.push_back({.point = &patches_[id].middle, .by_chance = links_of_a_patch, .seed = id + 1, .patch = id});
     }
+    ungrown_.erase(ungrown_.begin(), ungrown_.begin() + static_cast<std::ptrdiff_t>(count));
     link(jobs);
     return !jobs.empty();
 }
