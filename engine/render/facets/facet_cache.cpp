@@ -6,10 +6,18 @@
 
 namespace sl {
 
+namespace {
+
+/// How much more time than its budget a frame gets where a quarter of what was met has no light: at the start, or somewhere
+/// else altogether.
+constexpr double dark_frames_take = 4.0;
+
+}  // namespace
+
 float FacetCache::update(const RenderScene& scene, const FrameParams& frame, const Facets& settings, const Budget& budget) {
     follow_changes(scene, frame, settings);
     // What has changed must be known before anything else, whatever that takes.
-    const Deadline deadline(budget.seconds);
+    const Deadline deadline(budget.seconds * (much_is_dark() ? dark_frames_take : 1.0));
     if (std::memcmp(&seen_.clip_from_world, &frame.clip_from_world, sizeof(mat4)) != 0 || seen_.ray_up.w != frame.ray_up.w || seen_.ray_right.w != frame.ray_right.w ||
         spacing_ != settings.spacing) {
         looks_ = 0;
@@ -33,6 +41,11 @@ float FacetCache::update(const RenderScene& scene, const FrameParams& frame, con
     return share_known();
 }
 
+bool FacetCache::much_is_dark() const {
+    const auto dark = static_cast<std::size_t>(std::ranges::count_if(unfinished_, [&](std::uint32_t corner) { return !corners_[corner].lit; }));
+    return corners_.empty() || 4 * dark > corners_.size() - free_corners_.size();
+}
+
 float FacetCache::share_known() const {
     const auto corners = static_cast<float>(std::max<std::size_t>(corners_.size(), 1));
     const float links = 1.0f - static_cast<float>(unfinished_.size()) / corners;
@@ -46,6 +59,8 @@ void FacetCache::fill_table() {
     for (const auto& [name, facet] : facets_) {
         // Where there is no light yet, a coarser one stands in.
         if (std::ranges::any_of(facet.corners, [&](std::uint32_t corner) { return !corners_[corner].lit; })) continue;
+        // Nor one that reaches past an edge or a wall, where other light is.
+        if (facet.stand_in && facet.cut) continue;
         FacetEntry& entry = entries.emplace_back(FacetEntry{.name = name, .irradiance = {}, .split = facet.split});
         for (std::size_t corner = 0; corner < 4; ++corner) entry.irradiance[corner] = corners_[facet.corners[corner]].at.irradiance;
     }

@@ -40,6 +40,7 @@ class FacetCache {
         bool lit = false;   ///< it was gathered at least once
         bool done = false;
         bool gone = false;  ///< nobody has it, and its place may be taken
+        bool stands_in = false;        ///< first of those without light
         std::uint32_t users = 0;       ///< facets that have it
         FacetName shared_as = 0;       ///< its name in shared_corners_; 0: none
         float spread = 0.0f;           ///< variance of one link's light over the squared mean
@@ -60,6 +61,7 @@ class FacetCache {
         std::uint32_t depth = 0;  ///< how often its first one was split
         std::array<std::uint32_t, 4> corners{};
         bool cut = false;    ///< not all corners lie where the lattice has them
+        bool stand_in = false;  ///< much larger than what is wanted, until that is there
         bool split = false;  ///< finer ones hold more
     };
 
@@ -80,7 +82,7 @@ class FacetCache {
     /// At one pixel of each square, of those `margin` beyond the picture's edge as well. Returns the share of rays that met
     /// what was not known.
     float look(const FrameParams& frame, const Facets& settings, std::uint32_t number, std::uint32_t margin, const Bounds& where);
-    void add(const SurfacePoint& point, float level, std::uint32_t depth);
+    void add(const SurfacePoint& point, float level, std::uint32_t depth, bool stand_in = false);
     std::uint32_t corner_of(Facet& facet, FacetName name, vec2 within, uvec2 lattice);
     std::uint32_t add_corner(const FacetCorner& corner, float level, float group_level);
     void release(std::uint32_t corner);
@@ -100,6 +102,7 @@ class FacetCache {
     void split_where_needed();
     void fill_table();
     float share_known() const;
+    bool much_is_dark() const;
 
     std::unique_ptr<TransportWorld> world_;
     std::unique_ptr<Patches> patches_;

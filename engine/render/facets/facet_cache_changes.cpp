@@ -223,7 +223,7 @@ void FacetCache::change_lights(const RenderScene& scene) {
 void FacetCache::look_again_at_splits() {
     unsplit_.clear();
     for (const auto& [name, facet] : facets_) {
-        if (!facet.split) unsplit_.push_back(name);
+        if (!facet.split && !facet.stand_in) unsplit_.push_back(name);
     }
 }
 

@@ -29,18 +29,22 @@ bool goes_on_for_ever(const Facets& settings) { return settings.bounces >= 64; }
 
 void FacetCache::work(const Facets& settings, const Deadline& deadline) {
     // Those without links come first, and nothing is refined before light has gone round once.
-    std::stable_partition(unfinished_.begin(), unfinished_.end(), [&](std::uint32_t corner) { return corners_[corner].at.by_chance.empty(); });
+    const auto linked = std::stable_partition(unfinished_.begin(), unfinished_.end(), [&](std::uint32_t corner) { return corners_[corner].at.by_chance.empty(); });
+    std::stable_partition(unfinished_.begin(), linked, [&](std::uint32_t corner) { return corners_[corner].stands_in; });
     // What is missing goes before what is wrong, and that before what is rough.
-    link_corners(settings, first_links, 0.35, deadline);
-    while (patches_->renewing() && !deadline.passed(0.6)) {
+    link_corners(settings, first_links, 0.6, deadline);
+    while (patches_->renewing() && !deadline.passed(0.7)) {
         patches_->renew(patches_at_once);
         light_moves();
     }
     mend(deadline);
     while (unmended_.empty() && !patches_->renewing() && !deadline.passed(0.6) && patches_->mend(patches_at_once)) light_moves();
-    do {
-        while (!deadline.passed(0.5) && patches_->renew(patches_at_once)) light_moves();
-    } while (!deadline.passed(0.5) && patches_->grow(patches_at_once));
+    // Further bounces are more than what is still rough of the first.
+    while (!deadline.passed(0.8) && patches_->grow(patches_at_once)) {
+        while (patches_->dark()) patches_->renew(patches_at_once);
+        light_moves();
+    }
+    while (!deadline.passed(0.8) && patches_->renew(patches_at_once)) light_moves();
     reflect(settings, deadline);
     gather(settings, deadline);
     guide_corners();
@@ -140,7 +144,7 @@ void FacetCache::link_corners(const Facets& settings, std::uint32_t most, double
         again.insert(again.end(), unfinished_.begin() + static_cast<std::ptrdiff_t>(first), unfinished_.begin() + static_cast<std::ptrdiff_t>(done));
         if (jobs.empty()) break;
         patches_->link(jobs);
-        while (!deadline.passed(0.5) && patches_->renew(patches_at_once)) {}
+        while (patches_->dark()) patches_->renew(patches_at_once);
         light_moves();
         // At once, for what there is: until then a new place is dark.
         tbb::parallel_for(first, done, [&](std::size_t i) { judge(unfinished_[i]); });
@@ -165,7 +169,7 @@ void FacetCache::reflect(const Facets& settings, const Deadline& deadline) {
     // While light is still wrong a little of it goes on, or light that never rests would never be reflected.
     bool more = true;
     for (std::size_t rounds = 0; reflecting_ && more;) {
-        more = !patches_->renewing() && !deadline.passed(0.7);
+        more = !patches_->renewing() && !deadline.passed(0.9);
         const std::size_t last = std::min(reflected_ + slice, patches_->size());
         largest_change_ = std::max(largest_change_, patches_->reflect(reflected_, last));
         to_gather_ = corners_.size();

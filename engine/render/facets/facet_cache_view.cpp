@@ -15,12 +15,15 @@ namespace {
 constexpr std::uint32_t most_looks_per_side = 8;
 /// Looks in a frame of a camera that stands still.
 constexpr std::uint32_t looks_at_once = 5;
+constexpr double looking_takes = 0.2;  ///< of a frame's time
 /// Squares of the picture, beyond its edge, where light is gathered before a camera that moves sees them.
 constexpr std::uint32_t beyond_the_edge = 2;
 /// Share of a look that meets facets which are not known yet, where the camera has not moved but jumped.
 constexpr float elsewhere = 0.02f;
 /// The cosine of the angle under which facets are seen whole, and how many levels coarser a shader searches.
 constexpr float steep = 0.25f, coarser_that_are_searched = 3.0f;
+/// And by how many a facet is that stands in where there is no light yet: a block's side or two.
+constexpr float stand_in_coarser = 2.0f;
 constexpr std::uint32_t most_depth = 3;
 /// Corners that differ by this share of their mean get finer facets between them.
 constexpr float smooth_contrast = 0.25f;
@@ -51,7 +54,7 @@ void FacetCache::look_around(const FrameParams& frame, const Facets& settings, c
     // the next frame; unless it is somewhere else altogether.
     const std::uint32_t all = looks_per_side(settings) * looks_per_side(settings);
     std::uint32_t most = looks_ == 0 ? 1 : looks_at_once;
-    for (std::uint32_t i = 0; i < most && looks_ < all && !deadline.passed(0.3); ++i) {
+    for (std::uint32_t i = 0; i < most && looks_ < all && !deadline.passed(looking_takes); ++i) {
         ++looks_;
         const float fresh = look(frame, settings, all_looks_++ % all, deadline.none() ? 0 : beyond_the_edge, everywhere);
         if (deadline.none() && fresh > elsewhere) most = all;
@@ -71,6 +74,7 @@ float FacetCache::look(const FrameParams& frame, const Facets& settings, std::ui
     struct Seen {
         SurfacePoint point;
         std::array<float, 3> levels;
+        float stand_in;
     };
     std::vector<std::optional<Seen>> unknown(std::size_t{count.x} * count.y);
     tbb::parallel_for(std::size_t{0}, unknown.size(), [&](std::size_t i) {
@@ -89,7 +93,7 @@ float FacetCache::look(const FrameParams& frame, const Facets& settings, std::ui
         const float slant = std::abs(glm::dot(offset, point.face)) / distance;
         const float coarse = far + std::clamp(std::ceil(std::log2(steep / std::max(slant, 1e-3f))), 0.0f, coarser_that_are_searched);
         for (const float level : {near, far, coarse}) {
-            if (!facets_.contains(facet_name(facet_cell(point.position, point.normal(), level)))) unknown[i] = Seen{point, {near, far, coarse}};
+            if (!facets_.contains(facet_name(facet_cell(point.position, point.normal(), level)))) unknown[i] = Seen{point, {near, far, coarse}, near + stand_in_coarser};
         }
     });
     const auto known = static_cast<std::ptrdiff_t>(unfinished_.size());
@@ -98,26 +102,31 @@ float FacetCache::look(const FrameParams& frame, const Facets& settings, std::ui
         if (!seen) continue;
         ++fresh;
         for (const float level : seen->levels) add(seen->point, level, 0);
+        add(seen->point, seen->stand_in, 0, true);
     }
     // All over the picture rather than from its top down: where the time of a frame ends, there is some light everywhere.
     std::sort(unfinished_.begin() + known, unfinished_.end(), [](std::uint32_t a, std::uint32_t b) { return a * 0x9e3779b1u < b * 0x9e3779b1u; });
     return static_cast<float>(fresh) / static_cast<float>(unknown.size());
 }
 
-void FacetCache::add(const SurfacePoint& point, float level, std::uint32_t depth) {
+void FacetCache::add(const SurfacePoint& point, float level, std::uint32_t depth, bool stand_in) {
     const FacetCell cell = facet_cell(point.position, point.normal(), level);
     const FacetName name = facet_name(cell);
     const auto [entry, fresh] = facets_.try_emplace(name);
-    if (!fresh) return;
     Facet& facet = entry->second;
+    if (!fresh) {
+        if (!stand_in && std::exchange(facet.stand_in, false)) unsplit_.push_back(name);
+        return;
+    }
     facet.middle = point;
     facet.level = level;
     facet.depth = depth;
+    facet.stand_in = stand_in;
     for (std::uint32_t corner = 0; corner < 4; ++corner) {
         facet.corners[corner] = corner_of(facet, name, vec2(cell.within), uvec2(corner & 1, corner >> 1));
         ++corners_[facet.corners[corner]].users;
     }
-    unsplit_.push_back(name);
+    if (!stand_in) unsplit_.push_back(name);
     table_is_old_ = true;
 }
 
@@ -127,7 +136,8 @@ std::uint32_t FacetCache::corner_of(Facet& facet, FacetName name, vec2 within, u
     const FacetName shared_name = (name & ~FacetName{0xffffffffu}) | (v << 16) | u;
     if (const auto known = shared_corners_.find(shared_name); known != shared_corners_.end()) return known->second;
     const FacetCorner corner = facet_corner(world_->scene, facet.middle, facet.level, within, vec2(lattice));
-    const std::uint32_t id = add_corner(corner, facet.level - 1.0f, facet.level + static_cast<float>(facet.depth) + group_level);
+    const std::uint32_t id = add_corner(corner, facet.level - 1.0f, facet.level + group_level + (facet.stand_in ? -stand_in_coarser : static_cast<float>(facet.depth)));
+    corners_[id].stands_in = facet.stand_in;
     if (corner.shared) {
         shared_corners_.emplace(shared_name, id);
         corners_[id].shared_as = shared_name;

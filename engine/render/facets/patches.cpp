@@ -132,7 +132,8 @@ void Patches::spread_samples(Patch& patch, std::uint32_t strata) const {
     patch.strata = strata;
     patch.samples.clear();
     vec3 emission(0.0f);
-    for (std::uint32_t i = 0; i < strata * strata; ++i) {
+    // One alone is the middle.
+    for (std::uint32_t i = 0; strata > 1 && i < strata * strata; ++i) {
         const vec2 xi = SampleSequence(place_seed, uvec2(static_cast<std::uint32_t>(patch.cell), strata), i).pair();
         const vec3 place = along_surface(middle, patch.level, (vec2(i % strata, i / strata) + xi) / static_cast<float>(strata) - within);
         const float height = most_height * patch.side + middle.error;

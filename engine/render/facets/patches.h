@@ -100,9 +100,9 @@ class Patches {
 
   private:
     static constexpr std::uint32_t links_of_a_patch = 32;
-    /// Strata, per side, in which a patch's direct light is sampled: at first, of one that is lit evenly, and of one with a
-    /// shadow's edge in it.
-    static constexpr std::uint32_t first_strata = 2, few_strata = 4, many_strata = 8;
+    /// Strata, per side, in which a patch's direct light is sampled: of one that is lit evenly, and of one with a shadow's
+    /// edge in it.
+    static constexpr std::uint32_t few_strata = 4, many_strata = 8;
 
     /// A place in a patch. There are many of them, so that they hold no more than light needs.
     class Sample {

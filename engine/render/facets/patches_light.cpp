@@ -133,16 +133,21 @@ bool Patches::light_samples(Patch& patch, std::size_t every) const {
 
 bool Patches::light(std::uint32_t id, bool all) {
     Patch& patch = patches_[id];
-    const bool fresh = patch.samples.empty();
-    if (fresh || (all && patch.strata < few_strata)) spread_samples(patch, all ? few_strata : first_strata);
-    const std::size_t every = all || fresh ? 1 : std::max<std::size_t>(patch.samples.size() / first_samples, 1);
+    // Its middle alone, for a patch that is still dark: half the truth at once is better than all of it too late.
+    const bool dark = patch.strata == 0, unsampled = patch.samples.empty();
+    if (dark && !all) {
+        spread_samples(patch, 1);
+    } else if (unsampled || patch.strata < few_strata) {
+        spread_samples(patch, std::max(patch.strata, few_strata));
+    }
+    const std::size_t every = all || unsampled ? 1 : std::max<std::size_t>(patch.samples.size() / first_samples, 1);
     const bool uneven = light_samples(patch, every);
-    if (all && uneven && patch.strata < many_strata) {
+    if (!dark && every == 1 && uneven && patch.strata < many_strata) {
         spread_samples(patch, many_strata);
         light_samples(patch, 1);
     }
     set_radiosity(id);
-    return patch.strata >= few_strata && every == 1;
+    return patch.strata > 1 && every == 1;
 }
 
 void Patches::set_radiosity(std::uint32_t id) {

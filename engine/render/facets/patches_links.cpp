@@ -104,6 +104,8 @@ void Patches::trace(std::vector<Probe>& rays) {
 bool Patches::grow(std::size_t most) {
     std::vector<Job> jobs;
     const std::size_t count = std::min(most, ungrown_.size());
+    // Rays start all over a patch: its samples must be there.
+    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) { (void)light(ungrown_[i], true); });
     for (const std::uint32_t id : std::span(ungrown_).first(count)) {
         // Each its own directions: their errors cancel in what others gather from them.
         jobs.push_back({.point = &patches_[id].middle, .by_chance = links_of_a_patch, .seed = id + 1, .patch = id});
