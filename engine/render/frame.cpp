@@ -18,6 +18,7 @@ FrameOutput build_frame(const FrameInput& frame) {
     output.irradiance = gi.irradiance;
     output.gi_progress = gi.progress;
     output.gi_traced_seconds = gi.traced_seconds;
+    output.gi_error = gi.error;
 
     output.hdr = compose(frame, output.gbuffer, output.direct, output.irradiance);
     const ImageId ldr = tonemap(frame, output.hdr);

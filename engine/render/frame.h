@@ -14,6 +14,7 @@ struct FrameOutput {
     GBuffer gbuffer;
     float gi_progress = 1.0f;
     double gi_traced_seconds = 0.0;  ///< of the frame, spent by the CPU on tracing light
+    std::optional<float> gi_error;   ///< standard error of sampling, over the irradiance, where the method knows it
 };
 
 /// The group of all passes that the GI method asked for.

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "engine/core/error.h"
+#include "engine/render/pass_times.h"
 
 namespace sl {
 
@@ -30,7 +31,8 @@ Renderer::Result Renderer::render(const RenderScene& scene, const Request& reque
                            .params = frame_params(scene, request.width, request.height, request.frame_index),
                            .width = request.width,
                            .height = request.height,
-                           .slice_budget = request.slice_budget};
+                           .slice_budget = request.slice_budget,
+                           .gi_gpu_seconds = 1e-3 * gi_milliseconds(executor_.timers().newest())};
     images_ = build_frame(frame);
     result.images = images_;
     graph_.want(result.images.final);

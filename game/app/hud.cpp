@@ -96,6 +96,7 @@ TextBox status(App& app, const HudInput& input) {
     if (input.frame.drawn && input.frame.images.gi_progress < 1.0f) {
         box.line(fmt::format("GI {:.1f} % done", 100.0f * input.frame.images.gi_progress));
     }
+    if (input.frame.drawn && input.frame.images.gi_error) box.line(fmt::format("GI noise {:.1f} %", 100.0f * *input.frame.images.gi_error));
     if (app.world.resource<VoxelStats>().chunks > 0) {
         box.line(fmt::format("block {}", block_info(app.world.resource<BlockTool>().held).name));
     }

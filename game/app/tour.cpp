@@ -11,7 +11,7 @@ namespace {
 struct TourFlags {
     std::string size = "640x360";
     std::string folder = "out";
-    std::string gi = "rsm_disc";
+    std::string gi = "facets";
 };
 
 int run_tour(const GlobalFlags& global, const TourFlags& flags) {

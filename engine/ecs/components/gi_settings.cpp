@@ -39,7 +39,7 @@ void visit_fields(FieldVisitor&, GiOff&) {}
 
 // One knob for both ends of the scale: each step of a third halves the facets' side, and the noise with it by half an octave.
 float facet_spacing(float quality) { return 16.0f * std::exp2(-3.0f * quality); }
-float facet_noise(float quality) { return 0.14142136f * std::exp2(-1.5f * quality); }
+float facet_noise(float quality) { return 0.09899495f * std::exp2(-1.5f * quality); }
 float facet_quality(const Facets& facets) { return std::clamp(std::log2(16.0f / facets.spacing) / 3.0f, 0.0f, 1.0f); }
 
 void visit_fields(FieldVisitor& visit, Facets& facets) {
@@ -51,7 +51,7 @@ void visit_fields(FieldVisitor& visit, Facets& facets) {
         facets.spacing = facet_spacing(quality);
         facets.noise = facet_noise(quality);
     }
-    visit.field("budget_ms", facets.budget_ms, {.min = 0.5, .max = 1000, .unit = "ms", .help = "What gathering may take of a frame in a window; less leaves new and changed light coarse for longer."});
+    visit.field("budget_ms", facets.budget_ms, {.min = 0.5, .max = 1000, .unit = "ms", .help = "What GI may take of a frame in a window, its passes on the GPU included; less leaves new and changed light coarse for longer."});
     visit.field("spacing", facets.spacing, {.min = 1, .max = 64, .unit = "pixels", .help = "Width of a facet on the screen; less resolves finer light and costs with its square."});
     visit.field("noise", facets.noise, {.min = 0.005, .max = 1, .help = "Standard error at a corner, over its irradiance, at which it gets no more rays; half of it costs up to four times as much."});
     visit.field("bounces", facets.bounces, {.min = 0, .max = 64, .help = "Reflections of light before it arrives; 64 is all that can be seen."});

@@ -56,7 +56,7 @@ struct Facets {
     static constexpr std::string_view claims = "all bounces of all lights, sky and glowing surfaces, with occlusion";
     float spacing = 8.0f;
     float noise = 0.07f;
-    float budget_ms = 8.0f;
+    float budget_ms = 10.0f;
     std::uint32_t bounces = 64;
     float strength = 1.0f;
 };
@@ -66,7 +66,7 @@ using GiMethod = std::variant<GiOff, RsmExact, RsmGrid, RsmDisc, Facets>;
 
 /// How the camera's picture gets its indirect light. Without this component there is none.
 struct GiSettings {
-    GiMethod method = RsmDisc{};
+    GiMethod method = Facets{};
 };
 
 /// Names of all methods in the variant's order.

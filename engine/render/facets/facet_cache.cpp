@@ -65,6 +65,13 @@ void FacetCache::fill_table() {
         for (std::size_t corner = 0; corner < 4; ++corner) entry.irradiance[corner] = corners_[facet.corners[corner]].at.irradiance;
     }
     table_.fill(entries);
+    double squares = 0.0, lit = 0.0;
+    for (const Corner& corner : corners_) {
+        if (!corner.lit || corner.at.by_chance.empty()) continue;
+        squares += static_cast<double>(corner.spread) / static_cast<double>(corner.at.by_chance.size());
+        ++lit;
+    }
+    error_ = lit > 0.0 ? static_cast<float>(std::sqrt(squares / lit)) : 0.0f;
 }
 
 }  // namespace sl

@@ -30,6 +30,8 @@ class FacetCache {
     float update(const RenderScene& scene, const FrameParams& frame, const Facets& settings, const Budget& budget);
 
     const FacetTable& table() const { return table_; }
+    /// Root mean square of the standard errors at the corners in the table, each over its irradiance.
+    float error() const { return error_; }
     /// Counts up when the table changes.
     std::uint64_t version() const { return version_; }
 
@@ -131,6 +133,7 @@ class FacetCache {
     std::size_t gathered_ = 0;        ///< the corner whose turn it is to gather
     std::size_t to_gather_ = 0;       ///< corners whose patches have changed since
     FacetTable table_;
+    float error_ = 0.0f;
     bool table_is_old_ = false;
     std::uint64_t version_ = 0;
     std::uint32_t looks_ = 0;      ///< since the camera or the scene changed

@@ -1,10 +1,23 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <chrono>
 
 #include "engine/render/gi/facet_light.h"
 #include "engine/render/gi/gi.h"
 
 namespace sl {
+
+namespace {
+
+/// Of the budget, what is gathered in even where the passes on the GPU alone take all of it: light must not stand still.
+constexpr double least_share = 0.25;
+
+double gathering_seconds(const FrameInput& frame, const Facets& settings) {
+    const double budget = 1e-3 * settings.budget_ms;
+    return std::max(budget - frame.gi_gpu_seconds, least_share * budget);
+}
+
+}  // namespace
 
 GiResult indirect_light(const FrameInput& frame, const GBuffer& gbuffer, const Facets& settings) {
     FacetLight& light = frame.facets;
@@ -13,7 +26,7 @@ GiResult indirect_light(const FrameInput& frame, const GBuffer& gbuffer, const F
     // A capture's frames before its last one are not looked at.
     if (frame.slice_budget > 0) {
         const bool at_once = frame.slice_budget == ~0u;
-        progress = light.cache.update(frame.scene, frame.params, settings, {.seconds = at_once ? 0.0 : 1e-3 * settings.budget_ms});
+        progress = light.cache.update(frame.scene, frame.params, settings, {.seconds = at_once ? 0.0 : gathering_seconds(frame, settings)});
     }
     const FacetTable& table = light.cache.table();
     if (table.slots == 0) return {.irradiance = frame.graph.black(), .progress = progress};
@@ -31,7 +44,7 @@ GiResult indirect_light(const FrameInput& frame, const GBuffer& gbuffer, const F
         .storage("Table", frame.graph.import_buffer("facets", table.words.size() * sizeof(std::uint32_t), light.table.id()))
         .read("depth", gbuffer.depth)
         .read("normal", gbuffer.normal);
-    return {.irradiance = pass.create("irradiance", frame.screen(Format::rgba32f)), .progress = progress, .traced_seconds = seconds};
+    return {.irradiance = pass.create("irradiance", frame.screen(Format::rgba32f)), .progress = progress, .traced_seconds = seconds, .error = light.cache.error()};
 }
 
 }  // namespace sl

@@ -13,6 +13,8 @@ struct GiResult {
     float progress = 1.0f;
     /// Spent on the CPU's own light transport, s.
     double traced_seconds = 0.0;
+    /// Standard error that sampling leaves, over the irradiance; unknown where a method does not say.
+    std::optional<float> error;
 };
 
 /// The contract: the frame and its settings in, irradiance out. One overload per method, each in gi/<name>.cpp.

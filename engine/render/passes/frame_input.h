@@ -21,6 +21,8 @@ struct FrameInput {
     std::uint32_t height = 1;
     /// How many steps of sliced work may run this frame; a window keeps this small, a capture finishes everything.
     std::uint32_t slice_budget = ~0u;
+    /// What the passes for GI took on the GPU when that was last known; 0 where nobody times them.
+    double gi_gpu_seconds = 0.0;
 
     TextureDesc screen(Format format) const { return {.width = width, .height = height, .format = format}; }
 };
