@@ -19,7 +19,7 @@ class SetField : public SceneFolder {
     }
     const GiSettings& gi() const { return world.get<GiSettings>(view); }
 
-    Entity view = world.create(Name{"view.main"}, Camera{}, GiSettings{});
+    Entity view = world.create(Name{"view.main"}, Camera{}, GiSettings{RsmDisc{}});
     Entity other = world.create(Name{"other"}, Camera{});
 };
 

@@ -22,7 +22,7 @@ TEST_P(HardCases, ZeroAreaTriangles) {
     mesh.indices = {0, 0, 0, 0, 1, 1, 1, 2, 1, any, any, any};
     with.add(mesh, at(vec3(0, 1, 0)), SceneBuilder::matte(vec3(1)));
     // A triangle without area is hit by nothing, so it changes nothing.
-    EXPECT_TRUE(same_bytes(draw(with), draw(without)));
+    EXPECT_TRUE(same_bytes(draw(with, {8, 8}, rough()), draw(without, {8, 8}, rough())));
     survives("zero-area triangles", "change nothing");
 }
 
@@ -37,7 +37,7 @@ TEST_P(HardCases, BadNormals) {
         MeshData mesh = make_shape_mesh({Shape::Kind::box, vec3(0.8f)});
         for (std::size_t i = 0; i < mesh.vertices.size(); ++i) mesh.vertices[i].normal = pack_normal(normals[i % normals.size()]);
         builder.add(mesh, at(vec3(-0.5f, 0.5f, 0.3f)), SceneBuilder::matte(vec3(0.9f)));
-        (void)draw(builder, {24, 18});
+        (void)draw(builder, {24, 18}, rough());
         survives(name);
     }
     // An un-normalised normal is the same direction.
@@ -47,7 +47,7 @@ TEST_P(HardCases, BadNormals) {
         MeshData mesh = make_shape_mesh({Shape::Kind::quad, vec3(0.8f)});
         for (Vertex& vertex : mesh.vertices) vertex.normal = pack_normal(vec3(0.5f, 1, 0.25f) * length);
         builder.add(mesh, at(vec3(-0.5f, 0.5f, 0.3f)), SceneBuilder::matte(vec3(0.9f)));
-        return draw(builder);
+        return draw(builder, {8, 8}, rough());
     };
     EXPECT_TRUE(same_bytes(picture(1.0f), picture(64.0f)));
     survives("un-normalised normals", "change nothing");
@@ -61,7 +61,7 @@ TEST_P(HardCases, FlattenedDraws) {
         builder.add({Shape::Kind::sphere, vec3(1)}, glm::scale(at(vec3(-0.5f, 0.7f, 0.3f)), scale), vec3(0.9f));
         builder.add({Shape::Kind::box, vec3(1)}, glm::scale(at(vec3(-0.2f, 0.9f, 0.3f)), scale), vec3(0.9f));
     }
-    (void)draw(builder, {24, 18});
+    (void)draw(builder, {24, 18}, rough());
     survives("draws scaled to a plane, a line, a point");
 }
 
@@ -98,6 +98,7 @@ TEST_P(HardCases, OddFrames) {
     if (auto* exact = quick.traced() ? nullptr : std::get_if<RsmExact>(&*quick.gi)) exact->rsm_size = 16;
     if (auto* grid = quick.traced() ? nullptr : std::get_if<RsmGrid>(&*quick.gi)) grid->rsm_size = 16;
     if (auto* disc = quick.traced() ? nullptr : std::get_if<RsmDisc>(&*quick.gi)) disc->samples = 64;
+    if (auto* facets = quick.facets() ? std::get_if<Facets>(&*quick.gi) : nullptr) facets->noise = 0.3f;
     std::map<std::pair<std::uint32_t, std::uint32_t>, Picture> seen;
     for (const uvec2 size : {uvec2(1, 1), uvec2(7680, 1), uvec2(1, 300), uvec2(13, 7), uvec2(1, 1), uvec2(13, 7)}) {
         const Picture picture = draw(builder, size, quick);
@@ -125,6 +126,12 @@ TEST_P(HardCases, SettingsAtTheEndsOfTheirRanges) {
         EXPECT_EQ(with(RsmGrid{.rsm_size = 16, .angle_threshold = 1.0f}), 0.0);
         EXPECT_GT(with(RsmGrid{.rsm_size = 16, .distance_attenuation = 0.0f, .cutoff = 0.0f}), 0.0);
         EXPECT_GE(with(RsmGrid{.rsm_size = 4, .step = 64}), 0.0);
+    } else if (is("facets")) {
+        EXPECT_EQ(with(Facets{.strength = 0.0f}), 0.0);
+        EXPECT_EQ(with(Facets{.bounces = 0}), 0.0);
+        EXPECT_GT(with(Facets{.bounces = 1}), 0.0);
+        EXPECT_GT(with(Facets{.spacing = 64.0f, .noise = 1.0f}), 0.0);
+        EXPECT_GT(with(Facets{.spacing = 1.0f, .noise = 1.0f}), 0.0);
     } else {
         EXPECT_EQ(with(RsmDisc{.rsm_size = 16, .strength = 0.0f}), 0.0);
         EXPECT_EQ(with(RsmDisc{.rsm_size = 16, .samples = 0}), 0.0);
@@ -133,7 +140,7 @@ TEST_P(HardCases, SettingsAtTheEndsOfTheirRanges) {
         EXPECT_GT(with(RsmDisc{.rsm_size = 4, .samples = 64, .radius = 1.5f}), 0.0);
         EXPECT_GT(with(RsmDisc{.rsm_size = 64, .low_resolution = 32, .position_tolerance = 0.0f, .normal_tolerance = 1.0f}), 0.0);
     }
-    survives("strength 0; samples 0 and 1; radius 0; smallest map");
+    survives("strength 0; samples 0 and 1; radius 0; smallest map", is("facets") ? "survives: strength and bounces 0, widest and narrowest" : "survives");
 }
 
 /// Light on a vertical line of a wall over a sunlit, narrow strip of ground, from its foot up.

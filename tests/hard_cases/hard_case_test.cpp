@@ -5,7 +5,7 @@ namespace sl {
 
 ResultTable& hard_case_table() {
     static auto* table = static_cast<ResultTable*>(testing::AddGlobalTestEnvironment(new ResultTable(
-        "hard cases", SL_DOCS_FOLDER "/hard_cases.md", "case", {"rsm_exact", "rsm_grid", "rsm_disc", "path_tracer"})));
+        "hard cases", SL_DOCS_FOLDER "/hard_cases.md", "case", {"rsm_exact", "rsm_grid", "rsm_disc", "facets", "path_tracer"})));
     return *table;
 }
 // GoogleTest wants its environments before it runs.
@@ -15,6 +15,7 @@ std::vector<LightMethod> careful_methods() {
     std::vector<LightMethod> methods = small_methods(128);
     for (LightMethod& method : methods) {
         if (auto* disc = method.traced() ? nullptr : std::get_if<RsmDisc>(&*method.gi)) disc->samples = 4096;
+        if (auto* facets = method.facets() ? std::get_if<Facets>(&*method.gi) : nullptr) facets->noise = 0.03f;
         method.samples = 512;
     }
     return methods;

@@ -52,7 +52,8 @@ TEST_P(HardCases, NearPlaneCutsTheLitWall) {
     const Deviation change = deviation(cut, whole);
     // Maps know nothing of the camera. Depth's rounding moves receivers by 10⁻⁷ of their distance.
     EXPECT_GT(change.outline, 0.05) << "the near plane is meant to cut something off";
-    EXPECT_LT(change.inner, method().traced() ? 1e-3 : 1e-4);
+    // Facets that the camera does not see any longer are not there, and patches are those that the others' rays met first.
+    EXPECT_LT(change.inner, is("facets") ? 0.09 : method().traced() ? 1e-3 : 1e-4);
     survives("near plane cuts the lit wall: change of what is still seen", ResultTable::figure(change.inner));
 }
 
@@ -76,7 +77,7 @@ TEST_P(HardCases, ThinWallsOfAClosedRoom) {
     LightMethod every_bounce = method();
     every_bounce.transport.bounces = TransportSettings::until_converged;
     const double share = draw(builder, {16, 12}, every_bounce).mean_brightness() / (500.0 * std::abs(light.direction.y));
-    if (method().traced()) {
+    if (method().traced() || is("facets")) {
         EXPECT_EQ(share, 0.0);
     } else {
         // By design: no texel's light is blocked. What is outside lights the walls inside like an open field.
@@ -101,7 +102,9 @@ TEST_P(HardCases, KeyholeRoomLitByOneBounce) {
     builder.look(vec3(1, 1, 0.5f), vec3(0, 1, 0), vec3(0, 0, 1), 1e-3f);
     const double truth = 50000.0 * closed_form::parallel(-1.25, -0.75, -0.75, -0.25, 3.0);
     // The hole is 12.6 texels wide in the map of 128²: one texel row more or less is 8 %, and 16 % in area.
-    expect_value("keyhole room lit by one bounce", draw(builder).mean_brightness(), truth, {0.2, 0.4, 0.05});
+    // Facets light a patch of a metre at 8 × 8 places, so that the hole is 4 wide and 12 on its rim are lit by chance: a
+    // standard error of √12 · 0.4 / 16 = 9 %, and nearly three of them.
+    expect_value("keyhole room lit by one bounce", draw(builder, {8, 8}, one_bounce()).mean_brightness(), truth, {0.2, 0.4, 0.05, 0.25});
 }
 
 TEST_P(HardCases, MillimetresAndKilometres) {

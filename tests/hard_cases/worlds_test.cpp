@@ -40,7 +40,8 @@ TEST_P(HardCases, FarFromTheOrigin) {
         fill(world, offset);
         RenderScene scene;
         extract(world, scene);
-        LightMethod with = method();
+        LightMethod with = rough();
+        renderer->forget();
         with.transport.light_paths = false;  // where they go hangs on every rounding, and with them a picture's noise
         const Picture drawn = picture_of(with, scene, *renderer, {16, 12});
         EXPECT_EQ(insane_pixel(drawn), "");
@@ -51,7 +52,8 @@ TEST_P(HardCases, FarFromTheOrigin) {
         const Picture far = picture(dvec3(metres + 0.3, -0.7, -metres));
         const double change = deviation(far, home).inner;
         // As at the end of relative coordinates, see tests/relations/motion_test.cpp.
-        EXPECT_LT(change, 0.02);
+        // The lattice of facets of half a picture's width lies otherwise there, as in "moved by 1 km".
+        EXPECT_LT(change, is("facets") ? 0.4 : 0.02);
         survives(fmt::format("world coordinates of 10{} m: change of the picture", metres < 5e5 ? "⁵" : "⁶"), ResultTable::figure(change));
     }
 }
@@ -75,8 +77,8 @@ TEST_P(HardCases, AlbedoOneInAClosedSphere) {
     closed_sphere(builder, 1.0f);
     // One bounce is the same everywhere inside: E = ρΦ / (4πR²), with Φ = I · 2π (1 - cos θ).
     const double truth = 1000.0 * 2.0 * M_PI * (1.0 - std::cos(0.7)) / (4.0 * M_PI * 4.0);
-    expect_value("albedo 1 in a closed sphere, one bounce", draw(builder, {16, 12}).mean_brightness(), truth, {0.03, 0.1, 0.03});
-    if (!method().traced()) return;
+    expect_value("albedo 1 in a closed sphere, one bounce", draw(builder, {16, 12}, one_bounce()).mean_brightness(), truth, {0.03, 0.1, 0.03});
+    if (!method().traced() && !is("facets")) return;
     // All bounces never end; a path does, by chance.
     LightMethod endless = method();
     endless.transport.bounces = TransportSettings::until_converged;

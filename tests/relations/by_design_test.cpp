@@ -85,7 +85,8 @@ TEST_P(ByDesign, AThingThatMakesTheSceneLarger) {
         return;
     }
     relation_table().say(relation, method().name, fmt::format("{:+.1f} %", 100.0 * change));
-    EXPECT_LT(std::abs(change), 0.15) << "texels twice as large sample the same light";
+    // Patches that are seen by other patches are as large as a share of the scene.
+    EXPECT_LT(std::abs(change), method().facets() ? 0.5 * facets_apart : 0.15) << "texels twice as large sample the same light";
 }
 
 std::vector<LightMethod> only(std::string_view name) {

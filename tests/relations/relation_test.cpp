@@ -11,7 +11,10 @@ using Kind = RenderScene::Light::Kind;
 
 // Eight scenes per relation and method keep the whole program at about a minute. RapidCheck reads its parameters
 // once, when the first property runs; what the caller has set stays.
+const bool parameters_given = std::getenv("RC_PARAMS") != nullptr;
 const int parameters_set = setenv("RC_PARAMS", "seed=20260101 max_success=8", 0);
+/// Facets gather for some tenths of a second for one picture, so they get fewer.
+constexpr int scenes_of_facets = 3;
 
 /// Uniform in steps of a hundredth, whatever RapidCheck's size; shrinks towards `low`.
 rc::Gen<float> number(float low, float high) {
@@ -64,7 +67,7 @@ rc::Gen<ScenePlan> scene_plans() {
 
 ResultTable& relation_table() {
     static auto* table = static_cast<ResultTable*>(testing::AddGlobalTestEnvironment(new ResultTable(
-        "relations", SL_DOCS_FOLDER "/gi.md", "relation", {"rsm_exact", "rsm_grid", "rsm_disc", "path_tracer"},
+        "relations", SL_DOCS_FOLDER "/gi.md", "relation", {"rsm_exact", "rsm_grid", "rsm_disc", "facets", "path_tracer"},
         {"twice the light, twice the picture", "light A + light B = sum of the two pictures", "permuted channels, permuted picture",
          "the same frame twice, the same bytes", "an unseen entity added", "an entity added outside of all maps",
          "an unlit, unseen entity that makes the scene larger", "moved by 24 m", "moved by 1 km, as far as relative coordinates go",
@@ -74,22 +77,43 @@ ResultTable& relation_table() {
 // GoogleTest wants its environments before it runs.
 static const ResultTable& registered = relation_table();
 
+/// Many relations ask for the same unchanged scenes.
+static std::optional<std::string> name_of_unchanged(const ScenePlan& plan, const SceneChange& change) {
+    if (change.place != mat4(1.0f) || change.scale != 1.0f || change.light != 1.0f || change.channels != uvec3(0, 1, 2)) return std::nullopt;
+    std::ostringstream name;
+    showValue(plan, name);
+    return name.str();
+}
+
+void Relations::for_plans(const std::function<void(const ScenePlan&)>& property) const {
+    int scenes = 0;
+    rc::detail::checkGTest([&] {
+        const ScenePlan plan = *scene_plans().as("scene");
+        if (!method().facets() || parameters_given || ++scenes <= scenes_of_facets) property(plan);
+    });
+}
+
 Picture Relations::draw(const ScenePlan& plan, const SceneChange& change, const LightMethod& with) {
     SceneBuilder builder;
     build(plan, change, builder);
+    // Facets use what they have learned of the scene before, and that is another picture of it.
+    if (with.facets()) renderer->forget();
     const Picture picture = picture_of(with, builder.scene(), *renderer, size);
     RC_ASSERT(insane_pixel(picture) == "");
     return picture;
 }
 
+const Picture& Relations::draw_once(const ScenePlan& plan, bool fine) {
+    static std::map<std::tuple<std::string, std::string, bool>, Picture> known;
+    const auto [entry, fresh] = known.try_emplace({method().name, *name_of_unchanged(plan, {}), fine});
+    if (fresh) entry->second = draw(plan, {}, fine ? finer(64) : method());
+    return entry->second;
+}
+
 TracedMean Relations::trace(const ScenePlan& plan, const SceneChange& change, std::uint32_t samples) const {
-    // Many relations ask for the same unchanged scenes.
-    static std::map<std::string, TracedMean> known;
-    std::ostringstream name;
-    showValue(plan, name);
-    name << samples;
-    const bool unchanged = change.place == mat4(1.0f) && change.scale == 1.0f && change.light == 1.0f && change.channels == uvec3(0, 1, 2);
-    if (const auto found = known.find(name.str()); unchanged && found != known.end()) return found->second;
+    static std::map<std::pair<std::string, std::uint32_t>, TracedMean> known;
+    const auto name = name_of_unchanged(plan, change);
+    if (const auto found = name ? known.find({*name, samples}) : known.end(); found != known.end()) return found->second;
     SceneBuilder builder;
     build(plan, change, builder);
     glm::dvec3 sum(0.0), squares(0.0);
@@ -105,7 +129,13 @@ TracedMean Relations::trace(const ScenePlan& plan, const SceneChange& change, st
     constexpr double n = TracedMean::seeds;
     const glm::dvec3 variance = glm::max(squares / n - sum * sum / (n * n), glm::dvec3(0.0)) * (n / (n - 1.0));
     const TracedMean result{.mean = sum / n, .error = glm::sqrt(variance / n)};
-    if (unchanged) known.emplace(name.str(), result);
+    if (name) known.emplace(std::pair(*name, samples), result);
+    return result;
+}
+
+LightMethod Relations::quick() const {
+    LightMethod result = method();
+    if (auto* facets = result.facets() ? std::get_if<Facets>(&*result.gi) : nullptr) facets->noise = 0.3f;
     return result;
 }
 
@@ -113,12 +143,19 @@ LightMethod Relations::finer(std::uint32_t rsm_size) const {
     LightMethod result = method();
     if (auto* exact = result.traced() ? nullptr : std::get_if<RsmExact>(&*result.gi)) exact->rsm_size = rsm_size;
     if (auto* disc = result.traced() ? nullptr : std::get_if<RsmDisc>(&*result.gi)) *disc = RsmDisc{.rsm_size = rsm_size, .samples = 4096, .radius = 1.5f, .interpolate = false};
+    if (auto* facets = result.facets() ? std::get_if<Facets>(&*result.gi) : nullptr) facets->spacing = 4.0f;
     return result;
 }
 
 void Relations::expect_within(const std::string& relation, double measured, double bound) const {
     relation_table().worst(relation, method().name, measured);
     if (measured > bound) RC_FAIL(fmt::format("{}: {} deviates by {:.3g}, more than {:.3g}", relation, method().name, measured, bound));
+}
+
+void Relations::expect_facets_agree(const std::string& relation, const Picture& a, const Picture& b, double most) {
+    const Deviation found = deviation(a, b);
+    expect_within(relation, found.inner, most);
+    if (std::abs(found.mean) > 0.5 * most) RC_FAIL(fmt::format("{}: facets are {:+.3g} brighter", relation, found.mean));
 }
 
 void Relations::expect_within_noise(const std::string& relation, const TracedMean& a, const TracedMean& b) const {

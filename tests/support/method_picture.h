@@ -18,6 +18,8 @@ struct LightMethod {
     std::uint32_t samples = 16;  ///< of the path tracer, per pixel
 
     bool traced() const { return !gi.has_value(); }
+    /// Its light has a noise of its own, and what earlier frames have left is used.
+    bool facets() const { return gi && std::holds_alternative<Facets>(*gi); }
 };
 
 /// What GoogleTest shows of a parameter.
@@ -29,6 +31,7 @@ inline std::vector<LightMethod> small_methods(std::uint32_t rsm_size = 64) {
     return {{.name = "rsm_exact", .gi = RsmExact{.rsm_size = rsm_size}},
             {.name = "rsm_grid", .gi = RsmGrid{.rsm_size = rsm_size}},
             {.name = "rsm_disc", .gi = RsmDisc{.rsm_size = rsm_size, .samples = 1024, .radius = 1.5f, .low_resolution = 4}},
+            {.name = "facets", .gi = Facets{}},
             {.name = "path_tracer"}};
 }
 

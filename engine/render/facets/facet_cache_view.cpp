@@ -54,6 +54,9 @@ void FacetCache::look_around(const FrameParams& frame, const Facets& settings, c
     // the next frame; unless it is somewhere else altogether.
     const std::uint32_t all = looks_per_side(settings) * looks_per_side(settings);
     std::uint32_t most = looks_ == 0 ? 1 : looks_at_once;
+    // The few rays of a small picture may all miss what is there, and tell nothing of whether more would meet it.
+    const vec2 squares = glm::ceil(vec2(frame.ray_right.w, frame.ray_up.w) / std::max(settings.spacing, 1.0f));
+    if (deadline.none() && squares.x * squares.y * elsewhere < 1.0f) most = all;
     for (std::uint32_t i = 0; i < most && looks_ < all && !deadline.passed(looking_takes); ++i) {
         ++looks_;
         const float fresh = look(frame, settings, all_looks_++ % all, deadline.none() ? 0 : beyond_the_edge, everywhere);

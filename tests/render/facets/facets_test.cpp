@@ -71,6 +71,36 @@ TEST_F(FacetsTest, AgreeWithThePathTracer) {
     EXPECT_LT(std::abs(errors.bias), 0.03);
 }
 
+TEST_F(FacetsTest, OneReflectionIsThePathTracersFirstBounce) {
+    SceneBuilder builder;
+    build_rooms(builder);
+    builder.look(vec3(-3.7f, 2.5f, -1.5f), glm::normalize(vec3(1, -0.7f, 0.8f)), vec3(0, 1, 0), 1.4f);
+    for (const std::uint32_t bounces : {1u, 2u}) {
+        const Picture drawn = draw(builder.scene(), {.noise = 0.03f, .bounces = bounces});
+        const Picture truth = traced_picture({.name = "path_tracer", .transport = {.bounces = static_cast<int>(bounces), .pixel_area = false}, .samples = 512}, builder.scene(), size);
+        const Errors errors = errors_of(drawn, truth);
+        RecordProperty(fmt::format("nrmse_{}", bounces), fmt::format("{:.4f}", errors.nrmse));
+        RecordProperty(fmt::format("bias_{}", bounces), fmt::format("{:+.4f}", errors.bias));
+        EXPECT_LT(errors.nrmse, 0.10) << bounces << " reflections";
+        EXPECT_LT(std::abs(errors.bias), 0.03) << bounces << " reflections";
+    }
+}
+
+TEST_F(FacetsTest, AThingInACornerOfASmallPictureIsLit) {
+    // The first ray of a square of eight pixels passes it by.
+    SceneBuilder builder;
+    builder.add({Shape::Kind::box, vec3(1)}, at(vec3(0)), vec3(0.7f));
+    builder.scene().sky_radiance = vec3(100.0f);
+    for (const float yaw : {-0.35f, 0.35f}) {
+        for (const float pitch : {-0.35f, 0.35f}) {
+            builder.look(vec3(0, 0, 4), vec3(yaw, pitch, -1), vec3(0, 1, 0), 0.9f);
+            renderer->forget();
+            const Picture picture = picture_of({.name = "facets", .gi = Facets{}}, builder.scene(), *renderer, {8, 8});
+            EXPECT_GT(picture.mean_brightness(), 10.0) << yaw << " " << pitch;
+        }
+    }
+}
+
 TEST_F(FacetsTest, AStillPictureNoLongerChangesAfterSixteenFrames) {
     SceneBuilder builder;
     build_rooms(builder);
