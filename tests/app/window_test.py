@@ -133,7 +133,7 @@ def play_broken_shaders(screen, program, folder):
     good = tonemap.read_text()
     screen.env["SECONDLIGHT_SHADERS"] = str(shaders)
     picture, message = "200x120+300+100", "400x40+10+315"
-    with Game(screen, program, folder / "shaders", "cornell", "--size", "640x360") as game:
+    with Game(screen, program, folder / "shaders", "cornell", "--size", "640x360", "--gi", "rsm_disc") as game:
         game.shot_when("start", "the picture is not black", lambda p: brightness(p, picture) > 0.02)
         lit = game.settled_shot("lit", message)
         tonemap.write_text(good.replace("void main", "void broken_main"))

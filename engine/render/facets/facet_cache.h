@@ -91,7 +91,7 @@ class FacetCache {
     void bury_released();
     void work(const Facets& settings, const Deadline& deadline);
     void guide_corners();
-    void improve_guides();
+    void improve_guides(const Facets& settings);
     std::vector<Patches::Job> jobs_of(const Group& group);
     void look_for_other_lights(const Deadline& deadline);
     void link_anew(std::uint32_t corner, const Guide* guide);

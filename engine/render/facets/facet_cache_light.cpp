@@ -10,7 +10,7 @@ namespace sl {
 
 namespace {
 
-constexpr std::uint32_t first_links = 32, least_links = 64, most_links = 2048;
+constexpr std::uint32_t first_links = 32, least_links = 64;
 /// Where nothing arrived at all, its spread tells nothing either.
 constexpr std::uint32_t least_links_in_the_dark = 256;
 /// What the mean variance of a group counts beside a corner's own.
@@ -22,6 +22,12 @@ constexpr float settled = 1e-3f;
 constexpr std::size_t most_reflections = 400, reflections_between = 2;
 /// Work between two looks at the clock.
 constexpr std::size_t groups_at_once = 8, corners_at_once = 64, patches_at_once = 64, reflections_at_once = 2048;
+
+/// Where light is hardest to find, noise stays above what was asked for; who asks for less gets more rays there as well.
+std::uint32_t most_links(const Facets& settings) {
+    const float finer = 0.07f / settings.noise;
+    return static_cast<std::uint32_t>(2048.0f * std::clamp(finer * finer, 1.0f, 32.0f));
+}
 
 bool goes_on_for_ever(const Facets& settings) { return settings.bounces >= 64; }
 
@@ -48,8 +54,8 @@ void FacetCache::work(const Facets& settings, const Deadline& deadline) {
     reflect(settings, deadline);
     gather(settings, deadline);
     guide_corners();
-    improve_guides();
-    link_corners(settings, most_links, 1.0, deadline);
+    improve_guides(settings);
+    link_corners(settings, most_links(settings), 1.0, deadline);
     if (unfinished_.empty() && !reflecting_ && !patches_->mending() && to_gather_ == 0) look_for_other_lights(deadline);
 }
 
@@ -95,7 +101,7 @@ void FacetCache::guide_corners() {
     unguided_.insert(unguided_.end(), waiting.begin(), waiting.end());
 }
 
-void FacetCache::improve_guides() {
+void FacetCache::improve_guides(const Facets& settings) {
     std::vector<std::uint32_t> waiting;
     for (const std::uint32_t number : std::exchange(untried_, {})) {
         Group& group = groups_[number];
@@ -108,7 +114,7 @@ void FacetCache::improve_guides() {
             linked &= corners_[corner].done || corners_[corner].at.guided.size() >= wanted;
         }
         if (done && !group.corners.empty()) continue;
-        if (2 * wanted <= most_links / 2) waiting.push_back(number);
+        if (2 * wanted <= most_links(settings) / 2) waiting.push_back(number);
         if (!linked) continue;
         group.tried = wanted;
         if (!patches_->improve(*group.guide, jobs_of(group))) continue;
@@ -217,7 +223,7 @@ void FacetCache::decide(std::uint32_t corner, const Facets& settings) {
     const std::size_t links = it.at.by_chance.size();
     const float spread = std::max(it.spread, word_of_neighbours * group.spread / static_cast<float>(group.judged));
     const bool dark = !(luminance(it.at.irradiance) > 0.0f);
-    it.done = it.done || (links >= (dark ? least_links_in_the_dark : least_links) && (spread <= settings.noise * settings.noise * static_cast<float>(links) || links >= most_links));
+    it.done = it.done || (links >= (dark ? least_links_in_the_dark : least_links) && (spread <= settings.noise * settings.noise * static_cast<float>(links) || links >= most_links(settings)));
 }
 
 }  // namespace sl
