@@ -21,7 +21,7 @@ namespace {
 struct GiBenchFlags {
     bool quick = false;
     std::string size, folder = "out/bench_gi", presets;
-    std::vector<std::string> scenes;
+    std::vector<std::string> scenes, methods;
     std::uint32_t rounds = 0, spp = 0;
 };
 
@@ -62,6 +62,10 @@ BenchPlan plan_of(const GiBenchFlags& flags) {
     BenchPlan plan = flags.quick ? quick_plan() : full_plan();
     if (!flags.size.empty()) plan.size = parse_size(flags.size);
     if (!flags.scenes.empty()) plan.scenes = flags.scenes;
+    if (!flags.methods.empty()) {
+        for (const std::string& method : flags.methods) (void)make_gi_method(method);
+        std::erase_if(plan.candidates, [&](const BenchCandidate& candidate) { return std::ranges::find(flags.methods, candidate.method) == flags.methods.end(); });
+    }
     if (flags.rounds > 0) plan.rounds = flags.rounds;
     if (flags.spp > 0) plan.spp = flags.spp;
     return plan;
@@ -71,6 +75,7 @@ std::string command_of(const GiBenchFlags& flags) {
     std::string text = "secondlight bench gi";
     if (flags.quick) text += " --quick";
     for (const std::string& scene : flags.scenes) text += " --scene " + scene;
+    for (const std::string& method : flags.methods) text += " --gi " + method;
     if (!flags.size.empty()) text += " --size " + flags.size;
     if (flags.rounds > 0) text += fmt::format(" --rounds {}", flags.rounds);
     if (flags.spp > 0) text += fmt::format(" --spp {}", flags.spp);
@@ -295,6 +300,7 @@ void add_bench_gi_command(const Flags& bench, const GlobalFlags& global) {
     const Flags command = bench.command("gi", "Speed against error of every GI method, into CSV, JSON and an HTML report; about an hour without a GPU");
     command.toggle("--quick", flags->quick, "A minute: small pictures, few settings");
     command.add("--scene", flags->scenes, "Scenes to measure instead of the plan's; repeatable");
+    command.add("--gi", flags->methods, "Methods to measure instead of all; repeatable");
     command.add("--size", flags->size, "WIDTHxHEIGHT in pixels instead of the plan's");
     command.add("--rounds", flags->rounds, "Times that all candidates take turns; 0: the plan's");
     command.add("--spp", flags->spp, "Samples per pixel of the references; 0: the plan's");

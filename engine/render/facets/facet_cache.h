@@ -81,9 +81,14 @@ class FacetCache {
     void look_around(const FrameParams& frame, const Facets& settings, const Deadline& deadline);
     /// All looks, at what a box covers.
     void look_at(const FrameParams& frame, const Facets& settings, const Bounds& where);
-    /// At one pixel of each square, of those `margin` beyond the picture's edge as well. Returns the share of rays that met
-    /// what was not known.
-    float look(const FrameParams& frame, const Facets& settings, std::uint32_t number, std::uint32_t margin, const Bounds& where);
+    /// Rays of the camera through one pixel of each square of the picture.
+    struct Look {
+        std::uint32_t number = 0;  ///< which pixel of each square
+        std::uint32_t margin = 0;  ///< squares beyond the picture's edge
+        bool half = false;         ///< every other square
+    };
+    /// Returns the share of squares in which a ray met what was not known.
+    float look(const FrameParams& frame, const Facets& settings, const Look& what, const Bounds& where);
     void add(const SurfacePoint& point, float level, std::uint32_t depth, bool stand_in = false);
     std::uint32_t corner_of(Facet& facet, FacetName name, vec2 within, uvec2 lattice);
     std::uint32_t add_corner(const FacetCorner& corner, float level, float group_level);

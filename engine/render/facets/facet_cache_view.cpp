@@ -58,22 +58,24 @@ void FacetCache::look_around(const FrameParams& frame, const Facets& settings, c
     const vec2 squares = glm::ceil(vec2(frame.ray_right.w, frame.ray_up.w) / std::max(settings.spacing, 1.0f));
     if (deadline.none() && squares.x * squares.y * elsewhere < 1.0f) most = all;
     for (std::uint32_t i = 0; i < most && looks_ < all && !deadline.passed(looking_takes); ++i) {
+        // A camera that moves sees what it missed a frame later; at every other square it is asked in turn.
+        const Look what{.number = all_looks_++ % all, .margin = deadline.none() ? 0 : beyond_the_edge, .half = looks_ == 0 && !deadline.none()};
         ++looks_;
-        const float fresh = look(frame, settings, all_looks_++ % all, deadline.none() ? 0 : beyond_the_edge, everywhere);
+        const float fresh = look(frame, settings, what, everywhere);
         if (deadline.none() && fresh > elsewhere) most = all;
     }
 }
 
 void FacetCache::look_at(const FrameParams& frame, const Facets& settings, const Bounds& where) {
-    for (std::uint32_t i = 0; i < looks_per_side(settings) * looks_per_side(settings); ++i) look(frame, settings, i, 0, where);
+    for (std::uint32_t i = 0; i < looks_per_side(settings) * looks_per_side(settings); ++i) look(frame, settings, {.number = i}, where);
 }
 
-float FacetCache::look(const FrameParams& frame, const Facets& settings, std::uint32_t number, std::uint32_t margin, const Bounds& where) {
+float FacetCache::look(const FrameParams& frame, const Facets& settings, const Look& what, const Bounds& where) {
     const vec2 size(frame.ray_right.w, frame.ray_up.w);
     const float spacing = std::max(settings.spacing, 1.0f);
-    const uvec2 count = uvec2(glm::ceil(size / spacing)) + 2 * margin;
+    const uvec2 count = uvec2(glm::ceil(size / spacing)) + 2 * what.margin;
     const float side = facet_side_over_distance(frame, settings);
-    const vec2 within = place_of_look(number, looks_per_side(settings));
+    const vec2 within = place_of_look(what.number, looks_per_side(settings));
     struct Seen {
         SurfacePoint point;
         std::array<float, 3> levels;
@@ -81,7 +83,8 @@ float FacetCache::look(const FrameParams& frame, const Facets& settings, std::ui
     };
     std::vector<std::optional<Seen>> unknown(std::size_t{count.x} * count.y);
     tbb::parallel_for(std::size_t{0}, unknown.size(), [&](std::size_t i) {
-        const vec2 cell = vec2(i % count.x, i / count.x) - static_cast<float>(margin), last = size - 1.0f + spacing * static_cast<float>(margin);
+        if (what.half && ((i % count.x + i / count.x + what.number) & 1) != 0) return;
+        const vec2 cell = vec2(i % count.x, i / count.x) - static_cast<float>(what.margin), last = size - 1.0f + spacing * static_cast<float>(what.margin);
         const vec2 at = (glm::min(glm::floor((cell + within) * spacing), last) + 0.5f) / size;
         const Ray ray{.origin = vec3(frame.camera_position), .direction = view_ray(frame, vec2(2.0f * at.x - 1.0f, 1.0f - 2.0f * at.y)), .nearest = frame.camera_position.w};
         if (!where.meets(ray.origin, ray.direction, std::numeric_limits<float>::infinity())) return;
