@@ -117,7 +117,7 @@ bool any_rsm(const std::vector<std::string>& passes) {
 
 TEST(EveryFrame, WithoutGiSettingsThereIsNoRsmPass) {
     Session session(gl::ContextKind::egl);
-    App app = open_scene({.scene = "outdoor"});
+    App app = open_scene({.scene = "outdoor", .gi = "rsm_disc"});
     (void)capture(app, session.renderer, {.width = 16, .height = 9});
     EXPECT_TRUE(any_rsm(pass_names(session.renderer)));
     app.world.remove<GiSettings>(active_camera(app.world));

@@ -139,7 +139,8 @@ void FacetCache::mend_later(const std::vector<Bounds>& boxes) {
         // About the part of its view that they fill.
         for (const Bounds& box : boxes) {
             const vec3 offset = box.centre() - corners_[i].at.point.position;
-            concern[i] += box.radius() * box.radius() / glm::dot(offset, offset);
+            const float part = box.radius() * box.radius() / std::max(glm::dot(offset, offset), std::numeric_limits<float>::min());
+            if (part > 0.0f) concern[i] += part;  // NaN would have no order
         }
     }
     const std::size_t urgent = std::min(unmended_.size(), most_urgent);
