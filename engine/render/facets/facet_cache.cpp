@@ -54,13 +54,14 @@ float FacetCache::share_known() const {
 }
 
 void FacetCache::fill_table() {
+    const bool some_dark = std::ranges::any_of(unfinished_, [&](std::uint32_t corner) { return !corners_[corner].lit; });
     std::vector<FacetEntry> entries;
     entries.reserve(facets_.size());
     for (const auto& [name, facet] : facets_) {
         // Where there is no light yet, a coarser one stands in.
         if (std::ranges::any_of(facet.corners, [&](std::uint32_t corner) { return !corners_[corner].lit; })) continue;
-        // Nor one that reaches past an edge or a wall, where other light is.
-        if (facet.stand_in && facet.cut) continue;
+        // One that stands in does so as long as others are dark, and not past an edge or a wall, where other light is.
+        if (facet.stand_in && (facet.cut || !some_dark)) continue;
         FacetEntry& entry = entries.emplace_back(FacetEntry{.name = name, .irradiance = {}, .split = facet.split});
         for (std::size_t corner = 0; corner < 4; ++corner) entry.irradiance[corner] = corners_[facet.corners[corner]].at.irradiance;
     }
