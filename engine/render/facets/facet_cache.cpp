@@ -22,6 +22,7 @@ float FacetCache::update(const RenderScene& scene, const FrameParams& frame, con
         spacing_ != settings.spacing) {
         looks_ = 0;
     }
+    other_spacing_ = spacing_ != settings.spacing;
     seen_ = frame;
     spacing_ = settings.spacing;
     do {

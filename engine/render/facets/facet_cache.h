@@ -143,6 +143,7 @@ class FacetCache {
     std::uint64_t version_ = 0;
     std::uint32_t looks_ = 0;      ///< since the camera or the scene changed
     std::uint32_t all_looks_ = 0;  ///< ever
+    bool other_spacing_ = false;  ///< than in the last frame
     FrameParams seen_{};
     float spacing_ = 0.0f, noise_ = 0.0f;  ///< settings of the last frame
     std::uint32_t bounces_ = 0;

@@ -56,7 +56,8 @@ void FacetCache::look_around(const FrameParams& frame, const Facets& settings, c
     std::uint32_t most = looks_ == 0 ? 1 : looks_at_once;
     // The few rays of a small picture may all miss what is there, and tell nothing of whether more would meet it.
     const vec2 squares = glm::ceil(vec2(frame.ray_right.w, frame.ray_up.w) / std::max(settings.spacing, 1.0f));
-    if (deadline.none() && squares.x * squares.y * elsewhere < 1.0f) most = all;
+    // Nor do those that meet facets of another width.
+    if (deadline.none() && (squares.x * squares.y * elsewhere < 1.0f || other_spacing_)) most = all;
     for (std::uint32_t i = 0; i < most && looks_ < all && !deadline.passed(looking_takes); ++i) {
         // A camera that moves sees what it missed a frame later; at every other square it is asked in turn.
         const Look what{.number = all_looks_++ % all, .margin = deadline.none() ? 0 : beyond_the_edge, .half = looks_ == 0 && !deadline.none()};
@@ -99,7 +100,8 @@ float FacetCache::look(const FrameParams& frame, const Facets& settings, const L
         const float slant = std::abs(glm::dot(offset, point.face)) / distance;
         const float coarse = far + std::clamp(std::ceil(std::log2(steep / std::max(slant, 1e-3f))), 0.0f, coarser_that_are_searched);
         for (const float level : {near, far, coarse}) {
-            if (!facets_.contains(facet_name(facet_cell(point.position, point.normal(), level)))) unknown[i] = Seen{point, {near, far, coarse}, near + stand_in_coarser};
+            const auto known = facets_.find(facet_name(facet_cell(point.position, point.normal(), level)));
+            if (known == facets_.end() || known->second.stand_in) unknown[i] = Seen{point, {near, far, coarse}, near + stand_in_coarser};
         }
     });
     const auto known = static_cast<std::ptrdiff_t>(unfinished_.size());
