@@ -37,10 +37,11 @@ constexpr FieldInfo strength_info{.min = 0, .max = 10, .help = "Factor on indire
 
 void visit_fields(FieldVisitor&, GiOff&) {}
 
-// One knob for both ends of the scale: each step of a third halves the facets' side, and the noise with it by half an octave.
-float facet_spacing(float quality) { return 16.0f * std::exp2(-3.0f * quality); }
-float facet_noise(float quality) { return 0.09899495f * std::exp2(-1.5f * quality); }
-float facet_quality(const Facets& facets) { return std::clamp(std::log2(16.0f / facets.spacing) / 3.0f, 0.0f, 1.0f); }
+// One knob for both ends of the scale, the defaults at a third: each step of a third halves the facets' side, and the noise
+// with it by half an octave.
+float facet_spacing(float quality) { return Facets{}.spacing * std::exp2(1.0f - 3.0f * quality); }
+float facet_noise(float quality) { return Facets{}.noise * std::exp2(0.5f - 1.5f * quality); }
+float facet_quality(const Facets& facets) { return std::clamp((1.0f + std::log2(Facets{}.spacing / facets.spacing)) / 3.0f, 0.0f, 1.0f); }
 
 void visit_fields(FieldVisitor& visit, Facets& facets) {
     // No state of its own: it is read off the facets' side, and choosing another one sets that and the noise.

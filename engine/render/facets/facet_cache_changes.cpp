@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "engine/render/facets/facet_cache.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -14,9 +12,7 @@ namespace {
 /// Of the scene's size: where more of it has changed, nothing is worth keeping.
 constexpr float most_changed = 0.5f;
 /// Changes elsewhere in one frame that are followed as such, and corners that follow in order of what they see of them.
-constexpr std::size_t most_boxes = 32, most_urgent = 4096, corners_at_once = 64, patches_at_once = 64;
-/// Share of a corner's links that surfaces may change without other light being seen.
-constexpr float much_renewed = 0.25f;
+constexpr std::size_t most_boxes = 32, most_urgent = 4096;
 
 /// What all that was traced depends on.
 std::uint64_t materials_of(const RenderScene& scene) { return hash_bytes(hash_mix(1, scene.materials_hash), &scene.origin, sizeof(dvec3)); }
@@ -149,30 +145,6 @@ void FacetCache::mend_later(const std::vector<Bounds>& boxes) {
     std::sort(unmended_.end() - static_cast<std::ptrdiff_t>(urgent), unmended_.end(), less);
 }
 
-void FacetCache::mend(const Deadline& deadline) {
-    std::vector<Patches::Job> jobs;
-    // A little even where no time is left, or frequent changes would never be followed.
-    for (bool first = true; !unmended_.empty() && (first || !deadline.passed(0.6)); first = false) {
-        const std::size_t count = std::min(unmended_.size(), corners_at_once);
-        const std::vector<std::uint32_t> batch(unmended_.end() - static_cast<std::ptrdiff_t>(count), unmended_.end());
-        unmended_.resize(unmended_.size() - count);
-        jobs.clear();
-        for (const std::uint32_t corner : batch) {
-            if (!corners_[corner].gone) jobs.push_back({.point = &corners_[corner].at, .by_chance = 0, .seed = corners_[corner].at.guide != nullptr ? 0 : corner + 1});
-        }
-        patches_->mend(jobs);
-        while (patches_->dark()) patches_->renew(patches_at_once);
-        tbb::parallel_for(std::size_t{0}, batch.size(), [&](std::size_t i) { judge(batch[i]); });
-        for (const std::uint32_t corner : batch) {
-            GatherPoint& at = corners_[corner].at;
-            if (static_cast<float>(at.renewed) > much_renewed * static_cast<float>(at.by_chance.size())) distrust_guide(corners_[corner].group);
-        }
-        light_moves();
-        table_is_old_ = true;
-    }
-    if (unmended_.empty() && !patches_->mending()) patches_->forget_changes();
-}
-
 Bounds FacetCache::forget_facets(const Bounds& box) {
     Bounds without = box;
     const auto forgotten = [&](Facet& facet) {
@@ -194,7 +166,7 @@ Bounds FacetCache::forget_facets(const Bounds& box) {
     for (auto it = facets_.begin(); it != facets_.end();) it = forgotten(it->second) ? facets_.erase(it) : std::next(it);
     // What stands beside a corner now may keep others from sharing it.
     for (Corner& corner : corners_) {
-        if (corner.gone || corner.shared_as == 0 || !box.grown(0.2f * std::exp2(corner.at.level)).contains(corner.at.point.position)) continue;
+        if (corner.shared_as == 0 || !box.grown(0.2f * std::exp2(corner.at.level)).contains(corner.at.point.position)) continue;
         shared_corners_.erase(std::exchange(corner.shared_as, 0));
     }
     bury_released();

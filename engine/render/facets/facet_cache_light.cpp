@@ -15,6 +15,8 @@ constexpr std::uint32_t first_links = 32, least_links = 64;
 constexpr std::uint32_t least_links_in_the_dark = 256;
 /// What the mean variance of a group counts beside a corner's own.
 constexpr float word_of_neighbours = 0.5f;
+/// Share of a corner's links that surfaces may change without other light being seen.
+constexpr float much_renewed = 0.25f;
 /// Guides learn from so many times the links that they learned from before.
 constexpr std::uint32_t learning_links_grow_by = 4;
 /// Light between patches has settled when a reflection changes none by more than this share of their mean.
@@ -25,7 +27,7 @@ constexpr std::size_t groups_at_once = 8, corners_at_once = 64, patches_at_once 
 
 /// Where light is hardest to find, noise stays above what was asked for; who asks for less gets more rays there as well.
 std::uint32_t most_links(const Facets& settings) {
-    const float finer = 0.07f / settings.noise;
+    const float finer = Facets{}.noise / settings.noise;
     return static_cast<std::uint32_t>(2048.0f * std::clamp(finer * finer, 1.0f, 32.0f));
 }
 
@@ -59,6 +61,30 @@ void FacetCache::work(const Facets& settings, const Deadline& deadline) {
     if (unfinished_.empty() && !reflecting_ && !patches_->mending() && to_gather_ == 0) look_for_other_lights(deadline);
 }
 
+void FacetCache::mend(const Deadline& deadline) {
+    std::vector<Patches::Job> jobs;
+    // A little even where no time is left, or frequent changes would never be followed.
+    for (bool first = true; !unmended_.empty() && (first || !deadline.passed(0.6)); first = false) {
+        const std::size_t count = std::min(unmended_.size(), corners_at_once);
+        const std::vector<std::uint32_t> batch(unmended_.end() - static_cast<std::ptrdiff_t>(count), unmended_.end());
+        unmended_.resize(unmended_.size() - count);
+        jobs.clear();
+        for (const std::uint32_t corner : batch) {
+            if (!corners_[corner].gone) jobs.push_back({.point = &corners_[corner].at, .by_chance = 0, .seed = corners_[corner].at.guide != nullptr ? 0 : corner + 1});
+        }
+        patches_->mend(jobs);
+        while (patches_->dark()) patches_->renew(patches_at_once);
+        tbb::parallel_for(std::size_t{0}, batch.size(), [&](std::size_t i) { judge(batch[i]); });
+        for (const std::uint32_t corner : batch) {
+            GatherPoint& at = corners_[corner].at;
+            if (static_cast<float>(at.renewed) > much_renewed * static_cast<float>(at.by_chance.size())) distrust_guide(corners_[corner].group);
+        }
+        light_moves();
+        table_is_old_ = true;
+    }
+    if (unmended_.empty() && !patches_->mending()) patches_->forget_changes();
+}
+
 void FacetCache::light_moves() {
     reflecting_ = true;
     largest_change_ = std::numeric_limits<float>::infinity();
@@ -84,7 +110,7 @@ void FacetCache::link_anew(std::uint32_t corner, const Guide* guide) {
 }
 
 void FacetCache::guide_corners() {
-    const auto linked = [&](std::uint32_t corner) { return !corners_[corner].at.by_chance.empty() || corners_[corner].gone; };
+    const auto linked = [&](std::uint32_t corner) { return !corners_[corner].at.by_chance.empty(); };
     std::vector<std::uint32_t> waiting;
     for (const std::uint32_t number : std::exchange(unguided_, {})) {
         Group& group = groups_[number];
@@ -125,9 +151,7 @@ void FacetCache::improve_guides(const Facets& settings) {
 
 std::vector<Patches::Job> FacetCache::jobs_of(const Group& group) {
     std::vector<Patches::Job> jobs;
-    for (const std::uint32_t corner : group.corners) {
-        if (!corners_[corner].gone) jobs.push_back({.point = &corners_[corner].at, .by_chance = 0, .seed = 0});
-    }
+    for (const std::uint32_t corner : group.corners) jobs.push_back({.point = &corners_[corner].at, .by_chance = 0, .seed = 0});
     return jobs;
 }
 
