@@ -34,10 +34,11 @@ Ray shadow_ray(const LightParams& light, const SurfacePoint& point) {
 
 namespace {
 
-vec3 from_lights(const TransportWorld& world, const SurfacePoint& point, float xi) {
+vec3 from_lights(const TransportWorld& world, const SurfacePoint& point, float xi, std::span<const char> without) {
     static thread_local std::vector<Candidate> candidates;
     candidates.clear();
     for (std::uint32_t i = 0; i < world.lights.size(); ++i) {
+        if (!without.empty() && without[i] != 0) continue;
         const Incident incident = incident_light(world.lights[i], point.position);
         const vec3 irradiance = vec3(incident.irradiance) * std::max(glm::dot(point.normal(), vec3(incident.to_light)), 0.0f);
         if (sum(irradiance) > 0.0f) candidates.push_back({irradiance, i});
@@ -73,8 +74,8 @@ vec3 from_emitters(const TransportWorld& world, const SurfacePoint& point, vec2 
 
 }  // namespace
 
-vec3 direct_irradiance(const TransportWorld& world, const SurfacePoint& point, SampleSequence samples) {
-    const vec3 lights = from_lights(world, point, samples.pair().x);
+vec3 direct_irradiance(const TransportWorld& world, const SurfacePoint& point, SampleSequence samples, std::span<const char> without) {
+    const vec3 lights = from_lights(world, point, samples.pair().x, without);
     return lights + from_emitters(world, point, samples.pair());
 }
 

@@ -10,6 +10,7 @@ Emitters::Emitters(const TraceScene& scene) {
     double total = 0.0;
     std::vector<double> power, area;
     for (std::uint32_t draw = 0; draw < scene.draw_count(); ++draw) {
+        if (!scene.glows(draw)) continue;
         for (std::uint32_t triangle = 0; triangle < scene.triangle_count(draw); ++triangle) {
             const vec3 radiance = scene.plain_emission(draw, triangle);
             if (radiance.x + radiance.y + radiance.z <= 0.0f) continue;

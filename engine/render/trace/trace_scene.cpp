@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "engine/render/trace/trace_scene.h"
 
-#include <embree3/rtcore.h>
-
+#include <algorithm>
 #include <cmath>
-#include <cstring>
+#include <unordered_map>
+#include <utility>
 
-#include "engine/core/error.h"
 #include "engine/render/scene/rows.h"
+#include "engine/render/trace/traced_mesh.h"
 
 namespace sl {
 
@@ -40,45 +40,6 @@ struct LinearTextures {
     }
 };
 
-struct TracedVertex {
-    vec3 normal;
-    vec2 uv;
-    vec3 colour;
-    std::uint32_t material = 0;  ///< row of the material table
-};
-
-/// One draw in world space.
-struct TracedMesh {
-    std::vector<vec3> positions;
-    std::vector<TracedVertex> vertices;
-    std::vector<uvec3> triangles;  ///< counter-clockwise seen from the front, also where the draw mirrors
-};
-
-vec3 vertex_colour(std::uint32_t rgba) {
-    return vec3(rgba & 255u, (rgba >> 8) & 255u, (rgba >> 16) & 255u) / 255.0f;
-}
-
-TracedMesh trace_mesh(const MeshData& mesh, const RenderScene::Draw& draw) {
-    TracedMesh traced;
-    const mat3 turn(normal_matrix(draw.world_from_local));
-    for (const Vertex& vertex : mesh.vertices) {
-        traced.positions.push_back(vec3(draw.world_from_local * vec4(vertex.position, 1.0f)));
-        const vec3 normal = turn * unpack_normal(vertex.normal);
-        const float length = glm::length(normal);
-        traced.vertices.push_back({.normal = length > 0.0f ? normal / length : vec3(0.0f), .uv = vertex.uv, .colour = vertex_colour(vertex.colour),
-                                   .material = draw.first_material + vertex.material});
-    }
-    const bool mirrored = glm::determinant(mat3(draw.world_from_local)) < 0.0f;
-    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-        uvec3 corners(mesh.indices[i], mesh.indices[i + 1], mesh.indices[i + 2]);
-        if (mirrored) std::swap(corners.y, corners.z);
-        traced.triangles.push_back(corners);
-    }
-    return traced;
-}
-
-void check_embree(void*, RTCError, const char* text) { fail("the ray tracer Embree reports: {}", text != nullptr ? text : "an error"); }
-
 RTCRay to_embree(const Ray& ray) {
     RTCRay result{};
     result.org_x = ray.origin.x;
@@ -96,42 +57,59 @@ RTCRay to_embree(const Ray& ray) {
 }  // namespace
 
 struct TraceScene::Data {
-    std::vector<TracedMesh> meshes;
+    std::shared_ptr<RTCDeviceTy> device = start_embree();
+    RTCScene scene = rtcNewScene(device.get());
+    std::vector<std::unique_ptr<const TracedMesh>> meshes;         ///< by their numbers in Embree's scene; null where one was
+    std::unordered_multimap<std::uint64_t, std::uint32_t> number;  ///< by a draw's content
+    std::vector<std::uint32_t> free;                               ///< numbers of none
     std::vector<MaterialParams> materials;
-    LinearTextures textures;
-    RTCDevice device = nullptr;
-    RTCScene scene = nullptr;
+    std::optional<std::uint64_t> textures_version;
+    LinearTextures textures{nullptr};
 
-    explicit Data(const TextureLayers* layers) : textures(layers) {}
-    ~Data() {
-        if (scene != nullptr) rtcReleaseScene(scene);
-        if (device != nullptr) rtcReleaseDevice(device);
+    Data() {
+        // Dynamic: a tree for each mesh and one over them, so that a change builds anew what has changed.
+        rtcSetSceneFlags(scene, static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_DYNAMIC));
+        rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_HIGH);
     }
+    ~Data() { rtcReleaseScene(scene); }
 
-    void attach(const TracedMesh& mesh, std::uint32_t id) {
-        RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-        void* positions = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(vec3), mesh.positions.size());
-        void* triangles = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(uvec3), mesh.triangles.size());
-        std::memcpy(positions, mesh.positions.data(), mesh.positions.size() * sizeof(vec3));
-        std::memcpy(triangles, mesh.triangles.data(), mesh.triangles.size() * sizeof(uvec3));
-        rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_HIGH);
-        rtcCommitGeometry(geometry);
-        rtcAttachGeometryByID(scene, geometry, id);
-        rtcReleaseGeometry(geometry);
+    std::uint32_t add(std::unique_ptr<const TracedMesh> mesh) {
+        if (free.empty()) {
+            free.push_back(static_cast<std::uint32_t>(meshes.size()));
+            meshes.emplace_back();
+        }
+        const std::uint32_t id = free.back();
+        free.pop_back();
+        rtcAttachGeometryByID(scene, mesh->geometry(), id);
+        meshes[id] = std::move(mesh);
+        return id;
+    }
+    void remove(std::uint32_t id) {
+        rtcDetachGeometry(scene, id);
+        meshes[id].reset();
+        free.push_back(id);
     }
 };
 
-TraceScene::TraceScene(const RenderScene& scene) : data_(std::make_unique<Data>(scene.textures)) {
-    data_->device = rtcNewDevice(nullptr);
-    if (data_->device == nullptr) fail("the ray tracer Embree does not start on this processor");
-    rtcSetDeviceErrorFunction(data_->device, &check_embree, nullptr);
-    data_->scene = rtcNewScene(data_->device);
-    rtcSetSceneFlags(data_->scene, RTC_SCENE_FLAG_ROBUST);
-    rtcSetSceneBuildQuality(data_->scene, RTC_BUILD_QUALITY_HIGH);
+TraceScene::TraceScene(const RenderScene& scene) : data_(std::make_unique<Data>()) { update(scene); }
+
+void TraceScene::update(const RenderScene& scene) {
+    const std::uint64_t textures_version = scene.textures != nullptr ? scene.textures->version : 0;
+    if (std::exchange(data_->textures_version, textures_version) != textures_version) data_->textures = LinearTextures(scene.textures);
+    data_->materials.clear();
     for (const MaterialEntry& entry : scene.materials) data_->materials.push_back(material_params(entry));
+    auto before = std::exchange(data_->number, {});
+    std::vector<const RenderScene::Draw*> fresh;
     for (const RenderScene::Draw& draw : scene.draws) {
-        data_->meshes.push_back(trace_mesh(scene.meshes->at(draw.mesh), draw));
-        data_->attach(data_->meshes.back(), static_cast<std::uint32_t>(data_->meshes.size()) - 1);
+        if (const auto same = before.find(draw.content); same != before.end()) {
+            data_->number.insert(before.extract(same));
+        } else {
+            fresh.push_back(&draw);
+        }
+    }
+    for (const auto& [content, id] : before) data_->remove(id);
+    for (const RenderScene::Draw* draw : fresh) {
+        data_->number.emplace(draw->content, data_->add(std::make_unique<TracedMesh>(data_->device, scene.meshes->at(draw->mesh), *draw)));
     }
     rtcCommitScene(data_->scene);
 }
@@ -168,11 +146,11 @@ bool TraceScene::occluded(const Ray& ray) const {
 }
 
 SurfacePoint TraceScene::surface_at(const TriangleHit& hit) const {
-    const TracedMesh& mesh = data_->meshes[hit.draw];
-    const uvec3 index = mesh.triangles[hit.triangle];
+    const TracedMesh& mesh = *data_->meshes[hit.draw];
+    const uvec3 index = mesh.triangles()[hit.triangle];
     const vec3 weights(1.0f - hit.u - hit.v, hit.u, hit.v);
-    const vec3 &a = mesh.positions[index.x], &b = mesh.positions[index.y], &c = mesh.positions[index.z];
-    const TracedVertex &va = mesh.vertices[index.x], &vb = mesh.vertices[index.y], &vc = mesh.vertices[index.z];
+    const vec3 &a = mesh.positions()[index.x], &b = mesh.positions()[index.y], &c = mesh.positions()[index.z];
+    const TracedMesh::Vertex &va = mesh.vertices()[index.x], &vb = mesh.vertices()[index.y], &vc = mesh.vertices()[index.z];
     SurfacePoint point;
     // From the corners, not along the ray: the error then depends on the triangle alone.
     point.position = weights.x * a + weights.y * b + weights.z * c;
@@ -197,37 +175,45 @@ SurfacePoint TraceScene::surface_at(const TriangleHit& hit) const {
 }
 
 std::array<vec3, 3> TraceScene::corners(std::uint32_t draw, std::uint32_t triangle) const {
-    const TracedMesh& mesh = data_->meshes[draw];
-    const uvec3 index = mesh.triangles[triangle];
-    return {mesh.positions[index.x], mesh.positions[index.y], mesh.positions[index.z]};
+    const TracedMesh& mesh = *data_->meshes[draw];
+    const uvec3 index = mesh.triangles()[triangle];
+    return {mesh.positions()[index.x], mesh.positions()[index.y], mesh.positions()[index.z]};
+}
+
+bool TraceScene::glows(std::uint32_t draw) const {
+    return data_->meshes[draw] && std::ranges::any_of(data_->meshes[draw]->materials(), [&](std::uint32_t row) { return vec3(data_->materials[row].emission) != vec3(0.0f); });
 }
 
 vec3 TraceScene::plain_emission(std::uint32_t draw, std::uint32_t triangle) const {
-    const TracedMesh& mesh = data_->meshes[draw];
-    return vec3(data_->materials[mesh.vertices[mesh.triangles[triangle].x].material].emission);
+    const TracedMesh& mesh = *data_->meshes[draw];
+    return vec3(data_->materials[mesh.vertices()[mesh.triangles()[triangle].x].material].emission);
 }
 
 std::uint32_t TraceScene::draw_count() const { return static_cast<std::uint32_t>(data_->meshes.size()); }
-std::uint32_t TraceScene::triangle_count(std::uint32_t draw) const { return static_cast<std::uint32_t>(data_->meshes[draw].triangles.size()); }
+std::uint32_t TraceScene::triangle_count(std::uint32_t draw) const { 
+    return data_->meshes[draw] ? static_cast<std::uint32_t>(data_->meshes[draw]->triangles().size()) : 0;
+}
 
 std::uint64_t TraceScene::content_hash() const {
     const auto bytes = [](std::uint64_t hash, const auto& values) { return hash_bytes(hash, values.data(), values.size() * sizeof(values[0])); };
     std::uint64_t hash = bytes(bytes(1, data_->materials), data_->textures.texels);
-    for (const TracedMesh& mesh : data_->meshes) hash = bytes(bytes(bytes(hash, mesh.positions), mesh.vertices), mesh.triangles);
+    for (const auto& mesh : data_->meshes) {
+        if (mesh) hash = bytes(bytes(bytes(hash, mesh->positions()), mesh->vertices()), mesh->triangles());
+    }
     return hash;
 }
 
 Bounds TraceScene::bounds() const {
     Bounds result;
-    for (const TracedMesh& mesh : data_->meshes) {
-        for (const vec3& position : mesh.positions) result.add(position);
+    for (const auto& mesh : data_->meshes) {
+        if (mesh) result.add(mesh->bounds());
     }
     return result;
 }
 
 std::uint64_t TraceScene::triangles() const {
     std::uint64_t count = 0;
-    for (const TracedMesh& mesh : data_->meshes) count += mesh.triangles.size();
+    for (const auto& mesh : data_->meshes) count += mesh ? mesh->triangles().size() : 0;
     return count;
 }
 

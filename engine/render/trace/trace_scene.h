@@ -51,6 +51,10 @@ class TraceScene {
     TraceScene(const TraceScene&) = delete;
     TraceScene& operator=(const TraceScene&) = delete;
 
+    /// Goes on as another scene; costs what differs between the draws of both. Draws that stay keep their numbers. Not while
+    /// queries run.
+    void update(const RenderScene& scene);
+
     /// The nearest hit, whichever side it faces.
     std::optional<TriangleHit> intersect(const Ray& ray) const;
     /// The nearest hit on a front: surfaces are invisible from behind, as rasterization culls them. Its distance counts
@@ -62,8 +66,11 @@ class TraceScene {
 
     /// Corners of a triangle in world space; counter-clockwise seen from its front.
     std::array<vec3, 3> corners(std::uint32_t draw, std::uint32_t triangle) const;
+    /// Whether any triangle of a draw may glow.
+    bool glows(std::uint32_t draw) const;
     /// Radiance that the front of a triangle gives out, without its texture; zero for most.
     vec3 plain_emission(std::uint32_t draw, std::uint32_t triangle) const;
+    /// One more than the largest number of a draw; some numbers may be those of none.
     std::uint32_t draw_count() const;
     std::uint32_t triangle_count(std::uint32_t draw) const;
     std::uint64_t triangles() const;

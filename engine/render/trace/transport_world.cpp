@@ -10,6 +10,11 @@ TransportWorld::TransportWorld(const RenderScene& render_scene, const TransportS
     relight(render_scene);
 }
 
+void TransportWorld::resurface(const RenderScene& render_scene) {
+    scene.update(render_scene);
+    emitters = Emitters(scene);
+}
+
 void TransportWorld::relight(const RenderScene& render_scene) {
     lights = build_light_table(render_scene).params;
     sky = render_scene.sky_radiance;

@@ -42,6 +42,9 @@ struct TransportWorld {
     /// Throws Error when the ray tracer does not start.
     TransportWorld(const RenderScene& scene, const TransportSettings& settings);
 
+    /// Takes surfaces and what glows from the scene anew, at the cost of what differs; lights and sky stay as they are.
+    void resurface(const RenderScene& scene);
+
     /// Takes lights and sky from the scene anew; its surfaces must be the same.
     void relight(const RenderScene& scene);
 };

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "engine/render/trace/traced_mesh.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "engine/core/error.h"
+#include "engine/render/scene/rows.h"
+
+namespace sl {
+
+namespace {
+
+vec3 vertex_colour(std::uint32_t rgba) {
+    return vec3(rgba & 255u, (rgba >> 8) & 255u, (rgba >> 16) & 255u) / 255.0f;
+}
+
+void check_embree(void*, RTCError, const char* text) { fail("the ray tracer Embree reports: {}", text != nullptr ? text : "an error"); }
+
+}  // namespace
+
+std::shared_ptr<RTCDeviceTy> start_embree() {
+    RTCDevice device = rtcNewDevice(nullptr);
+    if (device == nullptr) fail("the ray tracer Embree does not start on this processor");
+    rtcSetDeviceErrorFunction(device, &check_embree, nullptr);
+    return {device, [](RTCDevice it) { rtcReleaseDevice(it); }};
+}
+
+TracedMesh::TracedMesh(std::shared_ptr<RTCDeviceTy> device, const MeshData& mesh, const RenderScene::Draw& draw) : device_(std::move(device)) {
+    const mat3 turn(normal_matrix(draw.world_from_local));
+    for (const sl::Vertex& vertex : mesh.vertices) {
+        positions_.push_back(vec3(draw.world_from_local * vec4(vertex.position, 1.0f)));
+        bounds_.add(positions_.back());
+        const vec3 normal = turn * unpack_normal(vertex.normal);
+        const float length = glm::length(normal);
+        vertices_.push_back({.normal = length > 0.0f ? normal / length : vec3(0.0f), .uv = vertex.uv, .colour = vertex_colour(vertex.colour),
+                             .material = draw.first_material + vertex.material});
+        materials_.push_back(vertices_.back().material);
+    }
+    std::ranges::sort(materials_);
+    materials_.erase(std::unique(materials_.begin(), materials_.end()), materials_.end());
+    const bool mirrored = glm::determinant(mat3(draw.world_from_local)) < 0.0f;
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+        uvec3 corners(mesh.indices[i], mesh.indices[i + 1], mesh.indices[i + 2]);
+        if (mirrored) std::swap(corners.y, corners.z);
+        triangles_.push_back(corners);
+    }
+    give_to_embree();
+}
+
+void TracedMesh::give_to_embree() {
+    geometry_.reset(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
+    void* positions = rtcSetNewGeometryBuffer(geometry_.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(vec3), positions_.size());
+    void* triangles = rtcSetNewGeometryBuffer(geometry_.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(uvec3), triangles_.size());
+    std::memcpy(positions, positions_.data(), positions_.size() * sizeof(vec3));
+    std::memcpy(triangles, triangles_.data(), triangles_.size() * sizeof(uvec3));
+    rtcSetGeometryBuildQuality(geometry_.get(), RTC_BUILD_QUALITY_HIGH);
+    rtcCommitGeometry(geometry_.get());
+}
+
+}  // namespace sl

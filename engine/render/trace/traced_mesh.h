@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <embree3/rtcore.h>
+
+#include <memory>
+#include <vector>
+
+#include "engine/render/scene/render_scene.h"
+
+namespace sl {
+
+/// The ray tracer Embree; ends with the last mesh that needs it. Throws Error when it cannot start.
+std::shared_ptr<RTCDeviceTy> start_embree();
+
+/// One draw's triangles in world space.
+class TracedMesh {
+  public:
+    struct Vertex {
+        vec3 normal;
+        vec2 uv;
+        vec3 colour;
+        std::uint32_t material = 0;  ///< row of the material table
+    };
+
+    /// Throws Error when there is no memory.
+    TracedMesh(std::shared_ptr<RTCDeviceTy> device, const MeshData& mesh, const RenderScene::Draw& draw);
+
+    const std::vector<vec3>& positions() const { return positions_; }
+    const std::vector<Vertex>& vertices() const { return vertices_; }
+    /// Counter-clockwise seen from the front, also where the draw mirrors.
+    const std::vector<uvec3>& triangles() const { return triangles_; }
+    const Bounds& bounds() const { return bounds_; }
+    /// Rows of the material table that it has, each once.
+    const std::vector<std::uint32_t>& materials() const { return materials_; }
+    RTCGeometry geometry() const { return geometry_.get(); }
+
+  private:
+    void give_to_embree();
+
+    struct Release {
+        void operator()(RTCGeometry geometry) const { rtcReleaseGeometry(geometry); }
+    };
+
+    std::shared_ptr<RTCDeviceTy> device_;
+    std::vector<vec3> positions_;
+    std::vector<Vertex> vertices_;
+    std::vector<uvec3> triangles_;
+    std::vector<std::uint32_t> materials_;
+    Bounds bounds_;
+    std::unique_ptr<RTCGeometryTy, Release> geometry_;
+};
+
+}  // namespace sl
