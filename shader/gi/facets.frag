@@ -3,31 +3,32 @@
 #include "lib/gbuffer.glsl"
 #include "shared/facets.h"
 
-struct FacetSlot {
-    uvec4 first;   // xy: name; zw: half floats
-    uvec4 second;  // half floats
-};
-
 layout(std140) uniform Facets { FacetParams facets; };
-layout(std430) readonly buffer Table { FacetSlot slots[]; };
+layout(std430) readonly buffer Table { uvec2 words[]; };  // a name per slot, then three pairs of words of light per slot
 
 layout(location = 0) out vec4 irradiance;  // rgb: lux; a: 1 where a facet was found
 
-bool find(FacetCell cell, out FacetSlot slot) {
-    uint at = facet_slot(cell.name.x, cell.name.y);
-    for (uint i = 0u; i < facets.table.y; ++i, ++at) {
-        slot = slots[at & facets.table.x];
-        if (slot.first.xy == cell.name.xy) return true;
-        if (slot.first.x == 0u) return false;
+struct Found {
+    uint slot;  // ~0: none
+    bool split;
+};
+
+Found find(FacetCell cell) {
+    uint at = facet_slot(cell.name.x, cell.name.y) & facets.table.x;
+    for (uint i = 0u; i < facets.table.y; ++i) {
+        uvec2 name = words[at];
+        if (name.y == cell.name.y && (name.x & ~facet_is_split) == cell.name.x) return Found(at, name.x != cell.name.x);
+        if (name.x == 0u) break;
+        at = (at + 1u) & facets.table.x;
     }
-    return false;
+    return Found(~0u, false);
 }
 
-bool is_split(FacetSlot slot) { return (slot.first.z & 0x8000u) != 0u; }
-
-vec3 mixed(FacetSlot slot, vec2 within) {
-    vec2 a = unpackHalf2x16(slot.first.z & 0xffff7fffu), b = unpackHalf2x16(slot.first.w), c = unpackHalf2x16(slot.second.x);
-    vec2 d = unpackHalf2x16(slot.second.y), e = unpackHalf2x16(slot.second.z), f = unpackHalf2x16(slot.second.w);
+vec3 mixed(uint slot, vec2 within) {
+    uint at = facets.table.x + 1u + 3u * slot;
+    uvec2 first = words[at], second = words[at + 1u], third = words[at + 2u];
+    vec2 a = unpackHalf2x16(first.x), b = unpackHalf2x16(first.y), c = unpackHalf2x16(second.x);
+    vec2 d = unpackHalf2x16(second.y), e = unpackHalf2x16(third.x), f = unpackHalf2x16(third.y);
     vec3 low = mix(vec3(a, b.x), vec3(b.y, c), within.x);
     vec3 high = mix(vec3(d, e.x), vec3(e.y, f), within.x);
     return mix(low, high, within.y);
@@ -38,24 +39,21 @@ void main() {
     irradiance = vec4(0.0);
     if (point.distance < 0.0) return;
     float level = facet_level(length(point.position - frame.camera_position.xyz), facets.grid.x);
-    FacetSlot slot;
     FacetCell cell = facet_cell(point.position, point.normal, level);
-    bool found = find(cell, slot);
-    if (!found) {
-        // A coarser one that is there for pixels that no ray has met yet.
-        for (float coarser = 1.0; coarser <= 3.0 && !found; ++coarser) {
-            cell = facet_cell(point.position, point.normal, level + coarser);
-            found = find(cell, slot);
-        }
-        if (!found) return;
-    } else {
-        for (float finer = 1.0; finer <= 3.0 && is_split(slot); ++finer) {
-            FacetSlot inner;
-            FacetCell inner_cell = facet_cell(point.position, point.normal, level - finer);
-            if (!find(inner_cell, inner)) break;
-            slot = inner;
-            cell = inner_cell;
-        }
+    Found found = find(cell);
+    // A coarser one is there for pixels that no ray has met yet.
+    for (float coarser = 1.0; coarser <= 3.0 && found.slot == ~0u; ++coarser) {
+        cell = facet_cell(point.position, point.normal, level + coarser);
+        found = find(cell);
+        found.split = false;
     }
-    irradiance = vec4(mixed(slot, cell.within.xy) * (facets.grid.y * facets.grid.z), 1.0);
+    if (found.slot == ~0u) return;
+    for (uint finer = 1u; finer <= facet_most_splits && found.split; ++finer) {
+        FacetCell inner_cell = facet_cell(point.position, point.normal, level - float(finer));
+        Found inner = find(inner_cell);
+        if (inner.slot == ~0u) break;
+        found = inner;
+        cell = inner_cell;
+    }
+    irradiance = vec4(mixed(found.slot, cell.within.xy) * (facets.grid.y * facets.grid.z), 1.0);
 }

@@ -5,6 +5,10 @@
 
 SHARED_BEGIN
 
+/// In a table, the bit of a name's upper half that says that there are finer facets as well; and how often one is split.
+const uint facet_is_split = 0x40000000u;
+const uint facet_most_splits = 5u;
+
 /// How a pass looks irradiance up in the table of facets.
 struct FacetParams {
     vec4 grid;    ///< x: side of a facet over its distance from the camera; y: lux of a stored 1; z: factor on the result; w: unused

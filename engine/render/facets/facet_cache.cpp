@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "engine/render/facets/facet_cache.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
 #include <algorithm>
 #include <cstring>
 
@@ -16,6 +19,7 @@ constexpr double dark_frames_take = 4.0;
 
 float FacetCache::update(const RenderScene& scene, const FrameParams& frame, const Facets& settings, const Budget& budget) {
     follow_changes(scene, frame, settings);
+    if (memory_ > std::max(most_memory_, budget.memory) && unmended_.empty() && !patches_->mending()) forget_unseen();
     // What has changed must be known before anything else, whatever that takes.
     const Deadline deadline(budget.seconds * (much_is_dark() ? dark_frames_take : 1.0));
     if (std::memcmp(&seen_.clip_from_world, &frame.clip_from_world, sizeof(mat4)) != 0 || seen_.ray_up.w != frame.ray_up.w || seen_.ray_right.w != frame.ray_right.w ||
@@ -55,25 +59,39 @@ float FacetCache::share_known() const {
 }
 
 void FacetCache::fill_table() {
-    const bool some_dark = std::ranges::any_of(unfinished_, [&](std::uint32_t corner) { return !corners_[corner].lit; });
-    std::vector<FacetEntry> entries;
-    entries.reserve(facets_.size());
-    for (const auto& [name, facet] : facets_) {
-        // Where there is no light yet, a coarser one stands in.
-        if (std::ranges::any_of(facet.corners, [&](std::uint32_t corner) { return !corners_[corner].lit; })) continue;
-        // One that stands in does so as long as others are dark, and not past an edge or a wall, where other light is.
-        if (facet.stand_in && (facet.cut || !some_dark)) continue;
-        FacetEntry& entry = entries.emplace_back(FacetEntry{.name = name, .irradiance = {}, .split = facet.split});
-        for (std::size_t corner = 0; corner < 4; ++corner) entry.irradiance[corner] = corners_[facet.corners[corner]].at.irradiance;
+    const auto lit = [&](std::uint32_t corner) { return corners_[corner].lit; };
+    if (std::exchange(shown_are_old_, false)) {
+        const bool some_dark = !std::ranges::all_of(unfinished_, lit);
+        shown_.clear();
+        for (const auto& [name, facet] : facets_) {
+            // One that stands in does so as long as others are dark, and not past an edge or a wall, where other light is.
+            if (facet.stand_in && (facet.cut || !some_dark)) continue;
+            // Where there is no light yet, a coarser one stands in.
+            if (std::ranges::all_of(facet.corners, lit)) shown_.push_back({.name = name, .corners = facet.corners, .split = facet.split});
+        }
+        table_.place(shown_);
     }
-    table_.fill(entries);
-    double squares = 0.0, lit = 0.0;
-    for (const Corner& corner : corners_) {
-        if (!corner.lit || corner.at.by_chance.empty()) continue;
-        squares += static_cast<double>(corner.spread) / static_cast<double>(corner.at.by_chance.size());
-        ++lit;
-    }
-    error_ = lit > 0.0 ? static_cast<float>(std::sqrt(squares / lit)) : 0.0f;
+    irradiance_.resize(corners_.size());
+    struct Sums {
+        double squares = 0.0, lit = 0.0;
+        std::size_t memory = 0;
+    };
+    const auto part = [&](const tbb::blocked_range<std::size_t>& range, Sums sums) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i) {
+            const Corner& corner = corners_[i];
+            irradiance_[i] = corner.lit ? corner.at.irradiance : vec3(0.0f);
+            sums.memory += corner.at.memory();
+            if (!corner.lit || corner.at.by_chance.empty()) continue;
+            sums.squares += static_cast<double>(corner.spread) / static_cast<double>(corner.at.by_chance.size());
+            ++sums.lit;
+        }
+        return sums;
+    };
+    const auto both = [](const Sums& a, const Sums& b) { return Sums{a.squares + b.squares, a.lit + b.lit, a.memory + b.memory}; };
+    const Sums sums = tbb::parallel_deterministic_reduce(tbb::blocked_range<std::size_t>(0, corners_.size(), 1024), Sums{}, part, both);
+    error_ = sums.lit > 0.0 ? static_cast<float>(std::sqrt(sums.squares / sums.lit)) : 0.0f;
+    memory_ = sums.memory + patches_->memory();
+    table_.light(shown_, irradiance_);
 }
 
 }  // namespace sl

@@ -24,6 +24,7 @@ class FacetCache {
     /// What one update may spend.
     struct Budget {
         double seconds = 0.0;  ///< 0: until everything that is wanted is there
+        std::size_t memory = std::size_t{256} << 20;  ///< bytes, from which what was not seen for long is forgotten; what is seen may take more
     };
 
     /// Looks at what the camera sees and gathers what is not known yet. Returns the share of the wanted that is known.
@@ -32,6 +33,8 @@ class FacetCache {
     const FacetTable& table() const { return table_; }
     /// Root mean square of the standard errors at the corners in the table, each over its irradiance.
     float error() const { return error_; }
+    /// Bytes that corners and patches take, about.
+    std::size_t memory() const { return memory_; }
     /// Counts up when the table changes.
     std::uint64_t version() const { return version_; }
 
@@ -55,6 +58,7 @@ class FacetCache {
         float spread = 0.0f;      ///< sum of its corners' spreads
         std::uint32_t judged = 0;  ///< corners in that sum
         bool stale = false;        ///< the guide was made in other light
+        FacetName cell = 0;       ///< of the lattice, in which they lie
         std::uint32_t tried = 0;  ///< guided links that each corner had when the guide last learned from them
     };
     struct Facet {
@@ -65,6 +69,8 @@ class FacetCache {
         bool cut = false;    ///< not all corners lie where the lattice has them
         bool stand_in = false;  ///< much larger than what is wanted, until that is there
         bool split = false;  ///< finer ones hold more
+        FacetName root = 0;  ///< of the one that was split first
+        std::uint32_t seen = 0;  ///< the last look that met it; of one that was not split from another
     };
 
     void follow_changes(const RenderScene& scene, const FrameParams& frame, const Facets& settings);
@@ -77,6 +83,8 @@ class FacetCache {
     void mend_later(const std::vector<Bounds>& boxes);
     void mend(const Deadline& deadline);
     void look_again_at_splits();
+    void forget_unseen();
+    void forget_empty_groups();
     void distrust_guide(std::uint32_t group);
     void look_around(const FrameParams& frame, const Facets& settings, const Deadline& deadline);
     /// All looks, at what a box covers.
@@ -89,9 +97,11 @@ class FacetCache {
     };
     /// Returns the share of squares in which a ray met what was not known.
     float look(const FrameParams& frame, const Facets& settings, const Look& what, const Bounds& where);
-    void add(const SurfacePoint& point, float level, std::uint32_t depth, bool stand_in = false);
+    /// `root` 0: it is one itself.
+    void add(const SurfacePoint& point, float level, FacetName root = 0, std::uint32_t depth = 0, bool stand_in = false);
     std::uint32_t corner_of(Facet& facet, FacetName name, vec2 within, uvec2 lattice);
     std::uint32_t add_corner(const FacetCorner& corner, float level, float group_level);
+    std::uint32_t group_at(FacetName cell);
     void release(std::uint32_t corner);
     void bury_released();
     void work(const Facets& settings, const Deadline& deadline);
@@ -106,6 +116,7 @@ class FacetCache {
     void gather(const Facets& settings, const Deadline& deadline);
     void judge(std::uint32_t corner);
     void decide(std::uint32_t corner, const Facets& settings);
+    float mean_irradiance() const;
     void split_where_needed();
     void fill_table();
     float share_known() const;
@@ -126,6 +137,7 @@ class FacetCache {
     std::vector<std::uint32_t> free_corners_;  ///< places where corners were
     std::unordered_map<FacetName, std::uint32_t> group_of_cell_;
     std::vector<Group> groups_;
+    std::vector<std::uint32_t> free_groups_;
     std::vector<std::uint32_t> unguided_;  ///< groups without a guide
     std::vector<std::uint32_t> untried_;   ///< groups whose guide knows nothing yet of what stands in between
     std::vector<std::uint32_t> stale_;     ///< groups whose guide was made in other light
@@ -137,7 +149,12 @@ class FacetCache {
     float largest_change_ = 0.0f;     ///< in this round
     std::size_t gathered_ = 0;        ///< the corner whose turn it is to gather
     std::size_t to_gather_ = 0;       ///< corners whose patches have changed since
+    bool splits_are_old_ = false;     ///< light has changed since facets were asked whether to split
     FacetTable table_;
+    std::vector<FacetEntry> shown_;    ///< what the table holds
+    bool shown_are_old_ = false;        ///< facets have come or gone, or have their first light
+    std::vector<vec3> irradiance_;     ///< of all corners, for the table
+    std::size_t memory_ = 0, most_memory_ = 0;  ///< bytes: taken, and at which what was not seen for long is forgotten
     float error_ = 0.0f;
     bool table_is_old_ = false;
     std::uint64_t version_ = 0;

@@ -14,6 +14,10 @@ constexpr float most_changed = 0.5f;
 /// Changes elsewhere in one frame that are followed as such, and corners that follow in order of what they see of them.
 constexpr std::size_t most_boxes = 32, most_urgent = 4096;
 
+/// What was not seen for so many looks may be forgotten, where it is that share of all facets.
+constexpr std::uint32_t looks_kept = 600;
+constexpr float worth_forgetting = 0.25f;
+
 /// What all that was traced depends on.
 std::uint64_t materials_of(const RenderScene& scene) { return hash_bytes(hash_mix(1, scene.materials_hash), &scene.origin, sizeof(dvec3)); }
 
@@ -60,6 +64,8 @@ void FacetCache::start_anew(const RenderScene& scene) {
     corners_.clear();
     released_.clear();
     free_corners_.clear();
+    free_groups_.clear();
+    most_memory_ = 0;
     unfinished_.clear();
     unsplit_.clear();
     group_of_cell_.clear();
@@ -72,7 +78,8 @@ void FacetCache::start_anew(const RenderScene& scene) {
     reflecting_ = false;
     reflected_ = 0;
     looks_ = 0;
-    table_is_old_ = true;
+    splits_are_old_ = false;
+    table_is_old_ = shown_are_old_ = true;
 }
 
 std::vector<Bounds> FacetCache::changed_surfaces(const RenderScene& scene) const {
@@ -106,15 +113,11 @@ void FacetCache::change_surfaces(const RenderScene& scene, const FrameParams& fr
     for (const Bounds& box : boxes) {
         if (box.radius() > most_changed * scene.bounds.radius()) return start_anew(scene);
     }
-    auto world = std::make_unique<TransportWorld>(scene, TransportSettings{});
+    const auto before = world_->emitters.balls();
     // Lights are another change.
-    world->lights = world_->lights;
-    world->casts = world_->casts;
-    world->bounces = world_->bounces;
-    world->sky = world_->sky;
-    world_.swap(world);
-    for (const Bounds& box : boxes) patches_->change(*world_, box);
-    const auto before = world->emitters.balls(), now = world_->emitters.balls();
+    world_->resurface(scene);
+    for (const Bounds& box : boxes) patches_->change(box);
+    const auto now = world_->emitters.balls();
     std::vector<Emitters::Ball> glowing;
     std::ranges::copy_if(before, std::back_inserter(glowing), [&](const auto& ball) { return std::ranges::find(now, ball) == now.end(); });
     std::ranges::copy_if(now, std::back_inserter(glowing), [&](const auto& ball) { return std::ranges::find(before, ball) == before.end(); });
@@ -123,7 +126,7 @@ void FacetCache::change_surfaces(const RenderScene& scene, const FrameParams& fr
     for (const Bounds& box : boxes) look_at(frame, settings, forget_facets(box));
     mend_later(boxes);
     light_moves();
-    look_again_at_splits();
+    splits_are_old_ = true;
 }
 
 void FacetCache::mend_later(const std::vector<Bounds>& boxes) {
@@ -149,6 +152,7 @@ Bounds FacetCache::forget_facets(const Bounds& box) {
     Bounds without = box;
     const auto forgotten = [&](Facet& facet) {
         const float side = std::exp2(facet.level);
+        if (!box.grown(2.5f * side).contains(facet.middle.position)) return false;
         const vec2 within(facet_cell(facet.middle.position, facet.middle.normal(), facet.level).within);
         const vec3 centre = along_surface(facet.middle, facet.level, 0.5f - within);
         if (!box.grown(0.75f * side).contains(centre)) return false;
@@ -164,13 +168,14 @@ Bounds FacetCache::forget_facets(const Bounds& box) {
         return true;
     };
     for (auto it = facets_.begin(); it != facets_.end();) it = forgotten(it->second) ? facets_.erase(it) : std::next(it);
+    std::erase_if(unsplit_, [&](FacetName name) { return !facets_.contains(name); });
     // What stands beside a corner now may keep others from sharing it.
     for (Corner& corner : corners_) {
         if (corner.shared_as == 0 || !box.grown(0.2f * std::exp2(corner.at.level)).contains(corner.at.point.position)) continue;
         shared_corners_.erase(std::exchange(corner.shared_as, 0));
     }
     bury_released();
-    table_is_old_ = true;
+    table_is_old_ = shown_are_old_ = true;
     return without;
 }
 
@@ -190,14 +195,58 @@ void FacetCache::change_lights(const RenderScene& scene) {
     light_moves();
     // Guides know nothing of light that is new.
     for (std::uint32_t group = 0; group < groups_.size(); ++group) distrust_guide(group);
-    look_again_at_splits();
+    splits_are_old_ = true;
 }
 
 void FacetCache::look_again_at_splits() {
+    splits_are_old_ = false;
     unsplit_.clear();
     for (const auto& [name, facet] : facets_) {
         if (!facet.split && !facet.stand_in) unsplit_.push_back(name);
     }
+}
+
+void FacetCache::forget_unseen() {
+    std::vector<FacetName> unseen;
+    for (const auto& [name, facet] : facets_) {
+        const auto root = facets_.find(facet.root);
+        if (root == facets_.end() || all_looks_ - root->second.seen > looks_kept) unseen.push_back(name);
+    }
+    if (unseen.size() < worth_forgetting * static_cast<float>(facets_.size())) {
+        most_memory_ = memory_ + memory_ / 4;
+        return;
+    }
+    for (const FacetName name : unseen) {
+        const auto facet = facets_.find(name);
+        for (const std::uint32_t corner : facet->second.corners) release(corner);
+        facets_.erase(facet);
+    }
+    std::erase_if(unsplit_, [&](FacetName name) { return !facets_.contains(name); });
+    bury_released();
+    forget_empty_groups();
+    std::vector<const GatherPoint*> points;
+    std::size_t kept = 0;
+    for (const Corner& corner : corners_) {
+        if (corner.gone) continue;
+        points.push_back(&corner.at);
+        kept += corner.at.memory();
+    }
+    patches_->forget_all_but_seen_from(points);
+    memory_ = kept + patches_->memory();
+    // Twice as much: so rarely that all of this costs little of what has come since.
+    most_memory_ = 2 * memory_;
+    table_is_old_ = shown_are_old_ = true;
+}
+
+void FacetCache::forget_empty_groups() {
+    for (std::uint32_t number = 0; number < groups_.size(); ++number) {
+        Group& group = groups_[number];
+        if (group.cell == 0 || !group.corners.empty()) continue;
+        group_of_cell_.erase(group.cell);
+        group = {};
+        free_groups_.push_back(number);
+    }
+    for (std::vector<std::uint32_t>* list : {&unguided_, &untried_, &stale_}) std::erase_if(*list, [&](std::uint32_t number) { return groups_[number].cell == 0; });
 }
 
 void FacetCache::distrust_guide(std::uint32_t group) {

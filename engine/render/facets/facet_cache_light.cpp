@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <utility>
 
 namespace sl {
@@ -230,7 +231,8 @@ void FacetCache::judge(std::uint32_t corner) {
     if (it.gone || it.at.by_chance.empty()) return;
     const Patches::Gathered gathered = patches_->gather(it.at);
     it.at.irradiance = gathered.irradiance;
-    it.lit = true;
+    // Others may say the same at the same time.
+    if (!std::exchange(it.lit, true)) std::atomic_ref(shown_are_old_).store(true, std::memory_order_relaxed);
     const float mean = luminance(gathered.irradiance), relative = mean > 0.0f ? gathered.error / mean : 0.0f;
     it.spread = relative * relative * static_cast<float>(it.at.by_chance.size());
 }

@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numeric>
 
@@ -24,9 +25,12 @@ constexpr float elsewhere = 0.02f;
 constexpr float steep = 0.25f, coarser_that_are_searched = 3.0f;
 /// And by how many a facet is that stands in where there is no light yet: a block's side or two.
 constexpr float stand_in_coarser = 2.0f;
-constexpr std::uint32_t most_depth = 3;
 /// Corners that differ by this share of their mean get finer facets between them.
 constexpr float smooth_contrast = 0.25f;
+constexpr std::uint32_t smooth_splits = 3;
+/// Of the lattice off a surface.
+constexpr float slabs_of_a_side = 8.0f;
+constexpr float glaring = 3.0f;
 /// A group of corners lies in a square of 8 by 8 facets.
 constexpr float group_level = 3.0f;
 const Bounds everywhere{vec3(std::numeric_limits<float>::lowest()), vec3(std::numeric_limits<float>::max())};
@@ -41,6 +45,21 @@ vec2 place_of_look(std::uint32_t look, std::uint32_t per_side) {
     while (std::gcd(stride, per_side) != 1) ++stride;
     const std::uint32_t row = look / per_side, column = (look + row) * stride % per_side;
     return (vec2(column, row * stride % per_side) + 0.5f) / static_cast<float>(per_side);
+}
+
+/// Steps, in sides, across a quarter of a facet up its slope: one for each slab of the finer lattice that it passes through.
+std::vector<vec2> steps_across_a_quarter(const SurfacePoint& point) {
+    const vec3 face = facet_axes(point.face, facet_axis(point.normal()));
+    const vec2 slope = std::abs(face.z) > 0.1f ? vec2(face) / face.z : vec2(0.0f);
+    const float rise = std::abs(slope.x) + std::abs(slope.y);
+    const auto slabs = static_cast<std::uint32_t>(std::ceil(slabs_of_a_side * rise - 1e-3f));
+    std::vector<vec2> steps{vec2(0.0f)};
+    for (std::uint32_t i = 0; i <= slabs && slabs > 0; ++i) {
+        // Between the corners that are lowest and highest.
+        const float part = static_cast<float>(i) / static_cast<float>(slabs) - 0.5f;
+        steps.push_back(0.49f * part * vec2(std::copysign(1.0f, slope.x), std::copysign(1.0f, slope.y)));
+    }
+    return steps;
 }
 
 }  // namespace
@@ -101,6 +120,8 @@ float FacetCache::look(const FrameParams& frame, const Facets& settings, const L
         const float coarse = far + std::clamp(std::ceil(std::log2(steep / std::max(slant, 1e-3f))), 0.0f, coarser_that_are_searched);
         for (const float level : {near, far, coarse}) {
             const auto known = facets_.find(facet_name(facet_cell(point.position, point.normal(), level)));
+            // Other rays of this look may meet it as well, and say the same.
+            if (known != facets_.end()) std::atomic_ref(known->second.seen).store(all_looks_, std::memory_order_relaxed);
             if (known == facets_.end() || known->second.stand_in) unknown[i] = Seen{point, {near, far, coarse}, near + stand_in_coarser};
         }
     });
@@ -109,33 +130,38 @@ float FacetCache::look(const FrameParams& frame, const Facets& settings, const L
     for (const auto& seen : unknown) {
         if (!seen) continue;
         ++fresh;
-        for (const float level : seen->levels) add(seen->point, level, 0);
-        add(seen->point, seen->stand_in, 0, true);
+        for (const float level : seen->levels) add(seen->point, level);
+        add(seen->point, seen->stand_in, 0, 0, true);
     }
     // All over the picture rather than from its top down: where the time of a frame ends, there is some light everywhere.
     std::sort(unfinished_.begin() + known, unfinished_.end(), [](std::uint32_t a, std::uint32_t b) { return a * 0x9e3779b1u < b * 0x9e3779b1u; });
     return static_cast<float>(fresh) / static_cast<float>(unknown.size());
 }
 
-void FacetCache::add(const SurfacePoint& point, float level, std::uint32_t depth, bool stand_in) {
+void FacetCache::add(const SurfacePoint& point, float level, FacetName root, std::uint32_t depth, bool stand_in) {
     const FacetCell cell = facet_cell(point.position, point.normal(), level);
     const FacetName name = facet_name(cell);
     const auto [entry, fresh] = facets_.try_emplace(name);
     Facet& facet = entry->second;
     if (!fresh) {
-        if (!stand_in && std::exchange(facet.stand_in, false)) unsplit_.push_back(name);
+        if (!stand_in && std::exchange(facet.stand_in, false)) {
+            unsplit_.push_back(name);
+            table_is_old_ = shown_are_old_ = true;
+        }
         return;
     }
     facet.middle = point;
     facet.level = level;
     facet.depth = depth;
     facet.stand_in = stand_in;
+    facet.root = root != 0 ? root : name;
+    facet.seen = all_looks_;
     for (std::uint32_t corner = 0; corner < 4; ++corner) {
         facet.corners[corner] = corner_of(facet, name, vec2(cell.within), uvec2(corner & 1, corner >> 1));
         ++corners_[facet.corners[corner]].users;
     }
     if (!stand_in) unsplit_.push_back(name);
-    table_is_old_ = true;
+    table_is_old_ = shown_are_old_ = true;
 }
 
 std::uint32_t FacetCache::corner_of(Facet& facet, FacetName name, vec2 within, uvec2 lattice) {
@@ -163,16 +189,25 @@ std::uint32_t FacetCache::add_corner(const FacetCorner& corner, float level, flo
         free_corners_.pop_back();
     }
     const FacetName cell = facet_name(facet_cell(corner.point.position, corner.point.normal(), level_of_group));
-    const auto [group, fresh] = group_of_cell_.try_emplace(cell, static_cast<std::uint32_t>(groups_.size()));
-    if (fresh) {
-        unguided_.push_back(static_cast<std::uint32_t>(groups_.size()));
-        groups_.emplace_back();
-    }
-    Group& its_group = groups_[group->second];
-    corners_[id] = {.at = {.point = corner.point, .level = level, .guide = its_group.guide.get()}, .group = group->second};
-    its_group.corners.push_back(id);
+    const std::uint32_t group = group_at(cell);
+    corners_[id] = {.at = {.point = corner.point, .level = level, .guide = groups_[group].guide.get()}, .group = group};
+    groups_[group].corners.push_back(id);
     unfinished_.push_back(id);
     return id;
+}
+
+std::uint32_t FacetCache::group_at(FacetName cell) {
+    const auto [known, fresh] = group_of_cell_.try_emplace(cell, static_cast<std::uint32_t>(groups_.size()));
+    if (!fresh) return known->second;
+    if (free_groups_.empty()) {
+        groups_.emplace_back();
+    } else {
+        known->second = free_groups_.back();
+        free_groups_.pop_back();
+    }
+    groups_[known->second].cell = cell;
+    unguided_.push_back(known->second);
+    return known->second;
 }
 
 void FacetCache::release(std::uint32_t id) {
@@ -198,11 +233,27 @@ void FacetCache::bury_released() {
     released_.clear();
 }
 
+float FacetCache::mean_irradiance() const {
+    double sum = 0.0, lit = 0.0;
+    for (const auto& [name, facet] : facets_) {
+        const Corner& corner = corners_[facet.corners[0]];
+        if (facet.depth > 0 || facet.stand_in || !corner.lit) continue;
+        sum += luminance(corner.at.irradiance);
+        ++lit;
+    }
+    return lit > 0.0 ? static_cast<float>(sum / lit) : 0.0f;
+}
+
 void FacetCache::split_where_needed() {
+    // Not before light has settled: until then it would split where light has not arrived yet.
+    if (splits_are_old_ && unfinished_.empty() && share_known() == 1.0f) look_again_at_splits();
+    std::optional<float> known_mean;
+    const auto mean = [&] { return known_mean ? *known_mean : known_mean.emplace(mean_irradiance()); };
     std::vector<FacetName> waiting;
     for (const FacetName name : std::exchange(unsplit_, {})) {
         Facet& facet = facets_.at(name);
-        if (facet.split || facet.depth >= most_depth) continue;
+        if (facet.split || facet.depth >= facet_most_splits) continue;
+        const bool fine = facet.depth >= smooth_splits;
         float low = std::numeric_limits<float>::infinity(), high = 0.0f, sum = 0.0f;
         bool known = true;
         for (const std::uint32_t corner : facet.corners) {
@@ -216,17 +267,21 @@ void FacetCache::split_where_needed() {
             waiting.push_back(name);
             continue;
         }
-        if (!facet.cut && high - low <= smooth_contrast * sum) continue;
+        // What is finer still must be worth it: many times as bright as what else is seen.
+        if (fine ? (facet.cut ? high : high - low) <= glaring * mean() : !facet.cut && high - low <= smooth_contrast * sum) continue;
         facet.split = true;
-        table_is_old_ = true;
+        table_is_old_ = shown_are_old_ = true;
         const Facet parent = facet;
         const vec2 within(facet_cell(parent.middle.position, parent.middle.normal(), parent.level).within);
+        const std::vector<vec2> steps = steps_across_a_quarter(parent.middle);
         for (std::uint32_t quarter = 0; quarter < 4; ++quarter) {
-            const vec2 step = vec2(0.25f) + 0.5f * vec2(quarter & 1, quarter >> 1) - within;
-            const vec3 target = along_surface(parent.middle, parent.level, step);
-            if (const auto point = surface_near(world_->scene, parent.middle, target, std::exp2(parent.level))) add(*point, parent.level - 1.0f, parent.depth + 1);
+            const vec2 centre = vec2(0.25f) + 0.5f * vec2(quarter & 1, quarter >> 1) - within;
+            for (const vec2 step : steps) {
+                const vec3 target = along_surface(parent.middle, parent.level, centre + step);
+                if (const auto point = surface_near(world_->scene, parent.middle, target, std::exp2(parent.level))) add(*point, parent.level - 1.0f, parent.root, parent.depth + 1);
+            }
         }
-        add(parent.middle, parent.level - 1.0f, parent.depth + 1);
+        add(parent.middle, parent.level - 1.0f, parent.root, parent.depth + 1);
     }
     unsplit_.insert(unsplit_.end(), waiting.begin(), waiting.end());
 }

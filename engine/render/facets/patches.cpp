@@ -17,15 +17,14 @@ constexpr std::uint32_t place_seed = 2;
 /// How much finer cells may be where more patches than that would lie in one, in halvings.
 constexpr float most_halvings = 8.0f;
 
-/// What a surface gives back diffusely, its specular lobe spread over all directions.
-vec3 albedo_of(const Surface& surface) {
+}  // namespace
+
+vec3 Patches::albedo_of(const Surface& surface) {
     const float metallic = surface.normal.w;
     const vec3 base(surface.base_colour);
     const vec3 coat = base * metallic + vec3(0.04f * surface.specular.x) * (1.0f - metallic);
     return base * (1.0f - metallic) * (1.0f - 0.04f * surface.specular.x) + coat;
 }
-
-}  // namespace
 
 Patches::Sample::Sample(const SurfacePoint& point)
     : position(point.position),
@@ -41,10 +40,9 @@ SurfacePoint Patches::Sample::place() const {
 
 vec3 Patches::Sample::albedo() const { return glm::unpackF3x9_E1x5(albedo_); }
 
-void Patches::use(const TransportWorld& world) {
-    world_ = &world;
-    glowing_ = world.emitters.balls();
-    const Bounds bounds = world.scene.bounds();
+void Patches::measure_world() {
+    glowing_ = world_.emitters.balls();
+    const Bounds bounds = world_.scene.bounds();
     coarsest_ = facet_level(glm::length(bounds.high - bounds.low), 1.0f / 16.0f);
 }
 
@@ -56,7 +54,7 @@ bool Patches::belongs(const SurfacePoint& point, const Patch& patch) const {
     // Close to the surface, so that low things part patches as well as walls do.
     const vec3 from = point.position + point.face * (0.02f * patch.side + point.error);
     const vec3 to = middle.position + middle.face * (0.02f * patch.side + middle.error);
-    return !world_->scene.occluded({.origin = from, .direction = to - from, .farthest = 1.0f});
+    return !world_.scene.occluded({.origin = from, .direction = to - from, .farthest = 1.0f});
 }
 
 std::uint32_t Patches::find(const SurfacePoint& point, float level) const {
@@ -94,7 +92,8 @@ std::uint32_t Patches::add(const SurfacePoint& point, float level, bool sharp) {
     patch.cell = name;
     patch.level = level;
     patch.side = std::exp2(level);
-    places_[id] = vec4(point.position, patch.side);
+    const vec2 within(facet_cell(point.position, point.normal(), level).within);
+    places_[id] = vec4(along_surface(point, level, 0.5f - within), patch.side);
     const auto [first, fresh] = first_.try_emplace(name, id);
     if (!fresh) patch.next = std::exchange(first->second, id);
     patch.waiting = true;
@@ -126,6 +125,11 @@ void Patches::remove_from_cell(std::uint32_t id) {
     if (first->second == nothing) first_.erase(first);
 }
 
+std::size_t Patches::memory() const {
+    // Those of one kind differ little in what they hold.
+    return (patches_.size() - gone_.size() - free_.size()) * (sizeof(Patch) + links_of_a_patch * sizeof(Link) + few_strata * few_strata * sizeof(Sample));
+}
+
 void Patches::spread_samples(Patch& patch, std::uint32_t strata) const {
     const SurfacePoint& middle = patch.middle.point;
     const vec2 within(facet_cell(middle.position, middle.normal(), patch.level).within);
@@ -137,9 +141,9 @@ void Patches::spread_samples(Patch& patch, std::uint32_t strata) const {
         const vec2 xi = SampleSequence(place_seed, uvec2(static_cast<std::uint32_t>(patch.cell), strata), i).pair();
         const vec3 place = along_surface(middle, patch.level, (vec2(i % strata, i / strata) + xi) / static_cast<float>(strata) - within);
         const float height = most_height * patch.side + middle.error;
-        const auto hit = world_->scene.intersect({.origin = place + height * middle.face, .direction = -middle.face, .farthest = 2.0f * height});
+        const auto hit = world_.scene.intersect({.origin = place + height * middle.face, .direction = -middle.face, .farthest = 2.0f * height});
         if (!hit || !hit->front) continue;
-        const SurfacePoint point = world_->scene.surface_at(*hit);
+        const SurfacePoint point = world_.scene.surface_at(*hit);
         if (!belongs(point, patch)) continue;
         patch.samples.emplace_back(point);
         emission += point.emission;

@@ -30,6 +30,9 @@ struct GatherPoint {
     vec3 irradiance{0.0f};         ///< as last gathered, lux
     std::uint32_t changes = 0;     ///< of surfaces, which its links have followed
     std::uint32_t renewed = 0;     ///< how many links did not survive those
+
+    /// Bytes.
+    std::size_t memory() const { return sizeof(GatherPoint) + (by_chance.capacity() + guided.capacity()) * sizeof(Link); }
 };
 
 /// The surfaces that others see, as patches that reflect diffusely, and the light that they exchange along links: a
@@ -54,11 +57,11 @@ class Patches {
     };
 
     /// The world must outlive the patches.
-    explicit Patches(const TransportWorld& world) { use(world); }
+    explicit Patches(const TransportWorld& world) : world_(world) { measure_world(); }
 
-    /// Goes on in a world whose surfaces differ within a box alone: what lies there is forgotten. Lights are those of before.
+    /// Surfaces of the world have changed within a box alone: what lies there is forgotten. Lights are those of before.
     /// What points have seen there, or through it, stays until `mend`.
-    void change(const TransportWorld& world, const Bounds& box);
+    void change(const Bounds& box);
     /// What these points' links met in or through boxes that have changed is looked for anew.
     void mend(std::span<const Job> jobs);
     /// The same for at most `most` patches; false when all have followed.
@@ -66,6 +69,12 @@ class Patches {
     bool mending() const { return mended_ < patches_.size() && !changes_.empty(); }
     /// All points and patches have followed all changes: no link leads to what is gone, and its place can be taken.
     void forget_changes();
+
+    /// Forgets all patches from which no light comes to these points, straight or reflected. Not while points or patches have
+    /// changes to follow.
+    void forget_all_but_seen_from(std::span<const GatherPoint* const> points);
+    /// Bytes, about.
+    std::size_t memory() const;
 
     /// Follows the rays that points still lack; what they meet becomes a patch where it is none yet.
     void link(std::span<const Job> jobs);
@@ -100,6 +109,10 @@ class Patches {
 
   private:
     static constexpr std::uint32_t links_of_a_patch = 32;
+    /// From the middle of its cell, over its side, how far a patch reaches.
+    static constexpr float reach = 0.9f;
+    /// Light that brings less than this share of what is there may change unnoticed.
+    static constexpr float too_little = 0.005f;
     /// Strata, per side, in which a patch's direct light is sampled: of one that is lit evenly, and of one with a shadow's
     /// edge in it.
     static constexpr std::uint32_t few_strata = 4, many_strata = 8;
@@ -115,7 +128,7 @@ class Patches {
         vec3 position;
         float glow;          ///< luminance of what it gives out of itself, lux
         vec3 lit{0.0f};      ///< irradiance straight from lights and what glows, lux
-        bool known = false;  ///< false: that was in other light
+        std::uint8_t lit_in = 0;  ///< that light, as its patch counts them; 0: none
 
       private:
         float error_;
@@ -138,6 +151,10 @@ class Patches {
         bool waiting = false;      ///< for its light
         bool rough = false;        ///< few of its samples are lit
         bool gone = false;         ///< its surface is no longer there
+        std::uint8_t light = 1;    ///< counts up, but for 0, when all that its samples know becomes old
+
+        bool knows(const Sample& sample) const { return sample.lit_in == light; }
+        void forget_light();
     };
     /// What a ray met.
     struct Met {
@@ -168,42 +185,57 @@ class Patches {
         Met met;
     };
 
-    void use(const TransportWorld& world);
+    void measure_world();
     void trace(std::vector<Probe>& rays);
     void forget(const Bounds& box);
-    /// Of light that comes through a box. Returns whether there was any.
-    bool forget_shadows(Patch& patch, const Bounds& box, std::span<const LightParams> lights) const;
+    /// Of light, of some lights, that comes through a box. Returns whether there was any.
+    bool forget_shadows(Patch& patch, vec3 middle, const Bounds& box, std::span<const std::uint32_t> lights) const;
     bool passes(const GatherPoint& point, const Link& link, const Bounds& box) const;
     Met by_chance(const Job& job, std::uint32_t number, const GuideCones& guide) const;
     Met guided(const GatherPoint& from, std::uint32_t number, const GuideCones& guide) const;
     Met follow(const GatherPoint& from, const SurfacePoint& start, vec3 direction, const GuideCones& guide) const;
     Gathered gather(const GatherPoint& point, const std::vector<vec3>& light) const;
+    /// Irradiance, at most, from a glowing ball within a distance of a place, lux.
+    static float brings(const Emitters::Ball& ball, vec3 place, float within);
     /// Luminance that arrives along a link, lux.
     float brings(const Link& link) const;
     std::optional<Opening> opening_beside(const GatherPoint& point, const Link& link) const;
+    /// Its surface is no longer there, or nothing sees it.
+    void remove(std::uint32_t patch);
+    void remove_from_lists();
     void remove_from_cell(std::uint32_t patch);
     std::uint32_t find(const SurfacePoint& point, float level) const;
     std::uint32_t add(const SurfacePoint& point, float level, bool sharp);
     std::uint32_t place_for_one_more();
     bool belongs(const SurfacePoint& point, const Patch& patch) const;
     void spread_samples(Patch& patch, std::uint32_t strata) const;
+    /// What a surface gives back diffusely, its specular lobe spread over all directions.
+    static vec3 albedo_of(const Surface& surface);
+    /// What rays from a light have found on a patch.
+    struct Narrow {
+        vec3 flux{0.0f};   ///< that it reflects, lumen
+        vec3 place{0.0f};  ///< middle of the lit part
+    };
+    /// Whether a light may shine on so little of a patch that its samples would miss that.
+    bool narrow(std::uint32_t light, const Patch& patch) const;
+    Narrow light_narrowly(std::uint32_t light, const Patch& patch) const;
     /// Lights each `every`th sample; returns whether they disagree.
     bool light_samples(Patch& patch, std::size_t every) const;
     /// A first estimate, or all that it wants; returns whether it wants no more.
     bool light(std::uint32_t patch, bool all);
-    template <class Irradiance>
-    void forget_where(Irradiance&& irradiance);
+    template <class Most, class Irradiance>
+    void forget_where(Most&& most, Irradiance&& irradiance);
     void wait(std::uint32_t patch);
     void set_radiosity(std::uint32_t patch);
     /// Irradiance straight from the sky, lux.
     vec3 from_sky(const GatherPoint& point) const;
 
-    const TransportWorld* world_ = nullptr;
+    const TransportWorld& world_;
     float coarsest_ = 0.0f;  ///< level of the largest patches that others ask for whatever the distance
     std::deque<Patch> patches_;
     std::vector<vec3> reflected_;  ///< per patch, radiosity, lux; what other patches gather: what glows has lit them already
     std::vector<vec3> seen_;       ///< the same with its own glow
-    std::vector<vec4> places_;     ///< middle and side; side -1: gone. All that most of them are asked for when surfaces change
+    std::vector<vec4> places_;     ///< middle of the cell and side; side -1: gone. All that most of them are asked for after changes
     std::vector<Emitters::Ball> glowing_;
     std::unordered_map<FacetName, std::uint32_t> first_;  ///< of a cell
     std::vector<std::uint32_t> dark_;     ///< wait for their first direct light

@@ -22,8 +22,8 @@ bool may_throw_shadow(const LightParams& light, const Bounds& box) {
 
 }  // namespace
 
-void Patches::change(const TransportWorld& world, const Bounds& box) {
-    use(world);
+void Patches::change(const Bounds& box) {
+    measure_world();
     forget(box);
     changes_.push_back(box);
     ++all_changes_;
@@ -79,66 +79,95 @@ bool Patches::passes(const GatherPoint& point, const Link& link, const Bounds& b
 }
 
 void Patches::forget(const Bounds& box) {
-    std::vector<LightParams> lights;
-    std::ranges::copy_if(world_->lights, std::back_inserter(lights), [&](const LightParams& light) { return may_throw_shadow(light, box); });
-    const auto may_matter = [&](vec3 middle, float side) {
-        const Bounds wide = box.grown(1.6f * side);
+    std::vector<std::uint32_t> lights;
+    for (std::uint32_t i = 0; i < world_.lights.size(); ++i) {
+        if (may_throw_shadow(world_.lights[i], box)) lights.push_back(i);
+    }
+    const auto may_matter = [&](vec3 middle, float side, float light_there) {
+        const Bounds wide = box.grown(reach * side);
         if (wide.contains(middle)) return true;
-        for (const LightParams& light : lights) {
+        for (const std::uint32_t number : lights) {
+            const LightParams& light = world_.lights[number];
             const bool directional = light.kind.x == light_directional;
             if (wide.meets(middle, directional ? -vec3(light.direction) : vec3(light.position) - middle, directional ? std::numeric_limits<float>::infinity() : 1.0f)) return true;
         }
-        return std::ranges::any_of(glowing_, [&](const Emitters::Ball& ball) { return wide.grown(ball.radius).meets(middle, ball.place - middle, 1.0f); });
+        return std::ranges::any_of(glowing_, [&](const Emitters::Ball& ball) { return brings(ball, middle, side) > too_little * light_there && wide.grown(ball.radius).meets(middle, ball.place - middle, 1.0f); });
     };
     enum class Fate : char { stays, waits, goes };
     std::vector<Fate> fates(patches_.size(), Fate::stays);
     tbb::parallel_for(std::size_t{0}, patches_.size(), [&](std::size_t id) {
         const vec3 middle(places_[id]);
         const float side = places_[id].w;
-        if (side < 0.0f || !may_matter(middle, side)) return;
+        if (side < 0.0f || !may_matter(middle, side, luminance(reflected_[id]))) return;
         Patch& patch = patches_[id];
-        if (box.contains(middle)) {
+        if (box.contains(patch.middle.point.position)) {
             fates[id] = Fate::goes;
-        } else if (box.grown(1.5f * side).contains(middle)) {
+        } else if (box.grown(reach * side).contains(middle)) {
             patch.samples.clear();
             fates[id] = Fate::waits;
-        } else if (forget_shadows(patch, box, lights)) {
+        } else if (forget_shadows(patch, middle, box, lights)) {
             fates[id] = Fate::waits;
         }
     });
     for (std::uint32_t id = 0; id < patches_.size(); ++id) {
         if (fates[id] == Fate::waits) wait(id);
         if (fates[id] != Fate::goes) continue;
-        remove_from_cell(id);
-        patches_[id] = Patch{.gone = true};
-        places_[id].w = -1.0f;
-        set_radiosity(id);
+        remove(id);
         gone_.push_back(id);
     }
-    const auto gone = [&](std::uint32_t id) { return patches_[id].gone; };
-    std::erase_if(dark_, gone);
-    std::erase_if(waiting_, gone);
-    std::erase_if(rough_, gone);
-    std::erase_if(ungrown_, gone);
+    remove_from_lists();
 }
 
-bool Patches::forget_shadows(Patch& patch, const Bounds& box, std::span<const LightParams> lights) const {
+void Patches::remove(std::uint32_t id) {
+    remove_from_cell(id);
+    patches_[id] = Patch{.gone = true};
+    places_[id].w = -1.0f;
+    set_radiosity(id);
+}
+
+void Patches::remove_from_lists() {
+    for (std::vector<std::uint32_t>* list : {&dark_, &waiting_, &rough_, &ungrown_}) std::erase_if(*list, [&](std::uint32_t id) { return patches_[id].gone; });
+}
+
+void Patches::forget_all_but_seen_from(std::span<const GatherPoint* const> points) {
+    std::vector<char> seen(patches_.size());
+    std::vector<std::uint32_t> found;
+    const auto follow_links = [&](const GatherPoint& point) {
+        for (const std::vector<Link>* links : {&point.by_chance, &point.guided}) {
+            for (const Link& link : *links) {
+                if (link.patch < nothing && std::exchange(seen[link.patch], 1) == 0) found.push_back(link.patch);
+            }
+        }
+    };
+    for (const GatherPoint* point : points) follow_links(*point);
+    for (std::size_t i = 0; i < found.size(); ++i) follow_links(patches_[found[i]].middle);
+    for (std::uint32_t id = 0; id < patches_.size(); ++id) {
+        if (seen[id] != 0 || patches_[id].gone) continue;
+        remove(id);
+        free_.push_back(id);
+    }
+    remove_from_lists();
+}
+
+bool Patches::forget_shadows(Patch& patch, vec3 middle, const Bounds& box, std::span<const std::uint32_t> lights) const {
     bool any = false;
-    const SurfacePoint& middle = patch.middle.point;
-    for (const LightParams& light : lights) {
-        const Ray to_light = shadow_ray(light, middle);
-        const bool far = light.position.w > 0.0f && to_light.farthest <= 1.0f && glm::length(to_light.direction) > light.position.w + patch.side;
-        if (far || !box.grown(1.5f * patch.side).meets(to_light.origin, to_light.direction, to_light.farthest)) continue;
+    for (const std::uint32_t number : lights) {
+        const LightParams& light = world_.lights[number];
+        const bool directional = light.kind.x == light_directional;
+        const vec3 to_light = directional ? -vec3(light.direction) : vec3(light.position) - middle;
+        const bool far = !directional && light.position.w > 0.0f && glm::length(to_light) > light.position.w + patch.side;
+        if (far || !box.grown(reach * patch.side).meets(middle, to_light, directional ? std::numeric_limits<float>::infinity() : 1.0f)) continue;
+        any |= narrow(number, patch);
         for (Sample& sample : patch.samples) {
             const Ray ray = shadow_ray(light, sample.place());
-            if (!sample.known || !box.meets(ray.origin, ray.direction, ray.farthest)) continue;
-            sample.known = false;
+            if (!patch.knows(sample) || !box.meets(ray.origin, ray.direction, ray.farthest)) continue;
+            sample.lit_in = 0;
             any = true;
         }
     }
     for (const Emitters::Ball& ball : glowing_) {
-        if (!box.grown(ball.radius + 1.5f * patch.side).meets(middle.position, ball.place - middle.position, 1.0f)) continue;
-        for (Sample& sample : patch.samples) sample.known = false;
+        if (brings(ball, middle, patch.side) <= too_little * luminance(patch.lit) || !box.grown(ball.radius + reach * patch.side).meets(middle, ball.place - middle, 1.0f)) continue;
+        patch.forget_light();
         any = true;
     }
     return any;

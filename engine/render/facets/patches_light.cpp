@@ -15,28 +15,47 @@ namespace {
 constexpr std::size_t first_samples = 4;
 /// Samples whose standard deviation is over this share of their mean are uneven: a shadow's edge, and not a texture's grain.
 constexpr float even = 0.3f;
-/// Light that brings less than this share of what is there may change unnoticed.
-constexpr float too_little = 0.005f;
 constexpr std::uint32_t light_seed = 4;
 
+/// What a light may bring within a distance of a place, lux.
+float most_irradiance(const LightParams& light, vec3 place, float within) {
+    if (light.kind.x == light_directional) return luminance(vec3(light.intensity));
+    const float distance = glm::length(place - vec3(light.position)) - 1.5f * within;
+    if (distance <= 0.0f) return std::numeric_limits<float>::infinity();
+    return luminance(vec3(light.intensity)) * range_window(distance * distance, light.position.w) / (distance * distance);
+}
+
 }  // namespace
+
+void Patches::Patch::forget_light() {
+    if (++light != 0) return;
+    for (Sample& sample : samples) sample.lit_in = 0;
+    light = 1;
+}
 
 void Patches::wait(std::uint32_t id) {
     if (!std::exchange(patches_[id].waiting, true)) waiting_.push_back(id);
 }
 
-/// `irradiance`: of a patch, at most, by what has changed, lux.
-template <class Irradiance>
-void Patches::forget_where(Irradiance&& irradiance) {
+float Patches::brings(const Emitters::Ball& ball, vec3 place, float within) {
+    const float distance = std::max(glm::length(ball.place - place) - within, ball.radius);
+    return ball.power / (3.0f * distance * distance);
+}
+
+/// `most` of a place and a side, `irradiance` of a patch: what has changed brings there at most, lux; the first may be more.
+template <class Most, class Irradiance>
+void Patches::forget_where(Most&& most, Irradiance&& irradiance) {
     std::vector<char> matters(patches_.size());
     tbb::parallel_for(std::size_t{0}, patches_.size(), [&](std::size_t i) {
+        // Most are too far off, which their place alone tells: they have more light than it could bring.
+        if (places_[i].w < 0.0f || !(most(vec3(places_[i]), places_[i].w) > too_little * luminance(reflected_[i]))) return;
         const Patch& patch = patches_[i];
         const float known = patch.samples.empty() ? 0.0f : luminance(reflected_[i]) / std::max(luminance(patch.albedo), 1e-3f);
         matters[i] = !patch.gone && irradiance(patch) > too_little * known ? 1 : 0;
     });
     for (std::uint32_t id = 0; id < patches_.size(); ++id) {
         if (matters[id] == 0) continue;
-        for (Sample& sample : patches_[id].samples) sample.known = false;
+        patches_[id].forget_light();
         wait(id);
     }
     // Those that are seen before those that light them.
@@ -44,17 +63,25 @@ void Patches::forget_where(Irradiance&& irradiance) {
 }
 
 void Patches::forget_light(std::span<const LightParams> lights) {
-    forget_where([&](const Patch& patch) {
+    const auto most_at = [&](vec3 place, float side) {
+        float most = 0.0f;
+        for (const LightParams& light : lights) most = std::max(most, most_irradiance(light, place, side));
+        return most;
+    };
+    forget_where(most_at, [&](const Patch& patch) {
         float most = 0.0f;
         for (const LightParams& light : lights) {
-            // Nearest to the light as far as the patch reaches.
+            // Nearest to the light and to its axis as far as the patch reaches.
             const SurfacePoint& point = patch.middle.point;
             vec3 place = point.position;
             if (light.kind.x != light_directional) {
-                const vec3 offset = vec3(light.position) - place;
+                const vec3 offset = place - vec3(light.position), axis(light.direction);
                 const float distance = glm::length(offset);
                 if (distance <= 1.5f * patch.side) return std::numeric_limits<float>::infinity();
-                place += offset * (patch.side / distance);
+                const vec3 to_axis = axis * glm::dot(offset, axis) - offset;
+                const float apart = light.kind.x == light_spot ? glm::length(to_axis) : 0.0f;
+                if (apart > 0.0f) place += to_axis * std::min(patch.side / apart, 1.0f);
+                place -= offset * (patch.side / distance);
             }
             const Incident incident = incident_light(light, place);
             if (glm::dot(point.normal(), vec3(incident.to_light)) > -0.2f) most = std::max(most, luminance(vec3(incident.irradiance)));
@@ -64,12 +91,16 @@ void Patches::forget_light(std::span<const LightParams> lights) {
 }
 
 void Patches::forget_light(std::span<const Emitters::Ball> glowing) {
-    forget_where([&](const Patch& patch) {
+    const auto most_at = [&](vec3 place, float side) {
+        float sum = 0.0f;
+        for (const Emitters::Ball& ball : glowing) sum += brings(ball, place, side);
+        return sum;
+    };
+    forget_where(most_at, [&](const Patch& patch) {
         float sum = 0.0f;
         for (const Emitters::Ball& ball : glowing) {
             const vec3 offset = ball.place - patch.middle.point.position;
-            const float distance = std::max(glm::length(offset) - patch.side, ball.radius);
-            if (glm::dot(offset, patch.middle.point.face) > -patch.side - ball.radius) sum += ball.power / (3.0f * distance * distance);
+            if (glm::dot(offset, patch.middle.point.face) > -patch.side - ball.radius) sum += brings(ball, patch.middle.point.position, patch.side);
         }
         return sum;
     });
@@ -91,17 +122,20 @@ bool Patches::renew(std::size_t most) {
 }
 
 bool Patches::light_samples(Patch& patch, std::size_t every) const {
+    static thread_local std::vector<char> narrowly;
+    narrowly.assign(world_.lights.size(), 0);
+    for (std::uint32_t i = 0; i < narrowly.size(); ++i) narrowly[i] = narrow(i, patch) ? 1 : 0;
     // Of samples that are still in other light, the mean differs as much as of those that were asked.
     vec3 change(0.0f);
     float asked = 0.0f;
     for (std::size_t i = every / 2; i < patch.samples.size(); i += every) {
         Sample& sample = patch.samples[i];
-        if (sample.known) continue;
-        const vec3 lit = direct_irradiance(*world_, sample.place(), SampleSequence(light_seed, uvec2(static_cast<std::uint32_t>(patch.cell), 0), static_cast<std::uint32_t>(i)));
+        if (patch.knows(sample)) continue;
+        const vec3 lit = direct_irradiance(world_, sample.place(), SampleSequence(light_seed, uvec2(static_cast<std::uint32_t>(patch.cell), 0), static_cast<std::uint32_t>(i)), narrowly);
         change += sample.albedo() * (lit - sample.lit);
         ++asked;
         sample.lit = lit;
-        sample.known = true;
+        sample.lit_in = patch.light;
     }
     patch.albedo = patch.lit = vec3(0.0f);
     float sum = 0.0f, squares = 0.0f;
@@ -112,7 +146,7 @@ bool Patches::light_samples(Patch& patch, std::size_t every) const {
         const Sample& sample = patch.samples[i];
         const vec3 albedo = sample.albedo();
         patch.albedo += albedo / count;
-        patch.lit += (albedo * sample.lit + (sample.known ? vec3(0.0f) : change / std::max(asked, 1.0f))) / count;
+        patch.lit += (albedo * sample.lit + (patch.knows(sample) ? vec3(0.0f) : change / std::max(asked, 1.0f))) / count;
         const float size = luminance(albedo * sample.lit) + sample.glow;
         brightness[i] = size;
         bright += size * sample.position;
@@ -120,6 +154,17 @@ bool Patches::light_samples(Patch& patch, std::size_t every) const {
         squares += size * size;
     }
     patch.lit = glm::max(patch.lit, vec3(0.0f));
+    const bool disagree = squares * count > (1.0f + even * even) * sum * sum;
+    const SurfacePoint& middle = patch.middle.point;
+    const float part = count / static_cast<float>(patch.strata * patch.strata), cosine = std::abs(facet_axes(middle.face, facet_axis(middle.normal())).z);
+    for (std::uint32_t i = 0; i < narrowly.size(); ++i) {
+        if (narrowly[i] == 0) continue;
+        const Narrow found = light_narrowly(i, patch);
+        const vec3 lit = found.flux * cosine / (part * patch.side * patch.side);
+        patch.lit += lit;
+        sum += count * luminance(lit);
+        bright += count * luminance(lit) * found.place;
+    }
     // What of it is bright: the mean place, and twice the spread around it.
     patch.bright_place = sum > 0.0f ? bright / sum : patch.middle.point.position;
     float spread = 0.0f;
@@ -128,7 +173,7 @@ bool Patches::light_samples(Patch& patch, std::size_t every) const {
         spread += (sum > 0.0f ? brightness[i] / sum : 1.0f / count) * glm::dot(apart, apart);
     }
     patch.bright_radius = 2.0f * std::sqrt(spread) + patch.side / static_cast<float>(patch.strata);
-    return squares * count > (1.0f + even * even) * sum * sum;
+    return disagree;
 }
 
 bool Patches::light(std::uint32_t id, bool all) {
@@ -181,7 +226,7 @@ Patches::Gathered Patches::gather(const GatherPoint& point, const std::vector<ve
     // Balance heuristic of rays by chance and guided ones (Veach & Guibas 1995): each link's light over the
     // density with which all rays together take its direction.
     const auto by_chance = static_cast<float>(point.by_chance.size()), guided = static_cast<float>(point.guided.size());
-    const vec3 sky_light = pi * world_->sky;
+    const vec3 sky_light = pi * world_.sky;
     vec3 sum(0.0f);
     float squares = 0.0f;
     for (const std::vector<Link>* links : {&point.by_chance, &point.guided}) {
@@ -199,7 +244,7 @@ Patches::Gathered Patches::gather(const GatherPoint& point, const std::vector<ve
 
 vec3 Patches::from_sky(const GatherPoint& point) const {
     if (point.by_chance.empty()) return vec3(0.0f);
-    return static_cast<float>(std::ranges::count(point.by_chance, sky, &Link::patch)) / static_cast<float>(point.by_chance.size()) * pi * world_->sky;
+    return static_cast<float>(std::ranges::count(point.by_chance, sky, &Link::patch)) / static_cast<float>(point.by_chance.size()) * pi * world_.sky;
 }
 
 float Patches::mean_light() const {

@@ -51,7 +51,7 @@ Patches::Met Patches::follow(const GatherPoint& from, const SurfacePoint& start,
     const float density = std::max(glm::dot(direction, start.normal()), 0.0f) / pi;
     met.direction = pack_normal(direction);
     if (density > 0.0f) met.guided = guide.density(direction) / density;
-    const auto hit = world_->scene.intersect({.origin = start.origin_towards(direction), .direction = direction});
+    const auto hit = world_.scene.intersect({.origin = start.origin_towards(direction), .direction = direction});
     if (!hit) {
         met.patch = sky;
         return met;
@@ -59,7 +59,7 @@ Patches::Met Patches::follow(const GatherPoint& from, const SurfacePoint& start,
     met.distance = hit->distance;
     if (!hit->front) return met;  // backs are black
     met.surface = true;
-    met.point = world_->scene.surface_at(*hit);
+    met.point = world_.scene.surface_at(*hit);
     met.level = std::max(facet_level(hit->distance, side_over_distance), from.level);
     met.patch = find(met.point, met.level);
     return met;
@@ -171,7 +171,7 @@ bool Patches::improve(Guide& guide, std::span<const Job> points) const {
 }
 
 float Patches::brings(const Link& link) const {
-    return link.patch == sky ? luminance(pi * world_->sky) : link.patch == nothing ? 0.0f : luminance(seen_[link.patch]);
+    return link.patch == sky ? luminance(pi * world_.sky) : link.patch == nothing ? 0.0f : luminance(seen_[link.patch]);
 }
 
 std::optional<Patches::Opening> Patches::opening_beside(const GatherPoint& point, const Link& link) const {
