@@ -15,4 +15,5 @@ find_package(OpenGL REQUIRED COMPONENTS EGL OpenGL)
 # The CMake configuration that Debian ships for OpenImageIO names a folder that does not exist.
 pkg_check_modules(OpenImageIO REQUIRED IMPORTED_TARGET OpenImageIO)
 pkg_check_modules(imgui REQUIRED IMPORTED_TARGET imgui)
+pkg_check_modules(sqlite3 REQUIRED IMPORTED_TARGET sqlite3)
 find_library(OSMESA_LIBRARY OSMesa REQUIRED)

@@ -28,11 +28,12 @@ quat look_turned(const quat& rotation, vec2 radians) {
 
 void fly_camera(Query<const Camera, Transform> cameras, const Input& input, const FrameClock& clock,
                 FlyCamera& fly, Notice& notice) {
-    if (input.scroll != 0.0f) {
+    if (!fly.active) return;
+    const bool command = input.active(Key::control);  // Ctrl+Q is no flight
+    if (command && input.scroll != 0.0f) {
         fly.speed = std::clamp(fly.speed * std::pow(speed_per_notch, input.scroll), slowest, fastest);
         notice.say(fmt::format("speed {:.3g} m/s", fly.speed));
     }
-    const bool command = input.active(Key::control);  // Ctrl+Q is no flight
     const vec3 wish =
         command ? vec3(0.0f)
                 : vec3(input.axis(Key::d, Key::a), input.axis(Key::e, Key::q), input.axis(Key::s, Key::w));

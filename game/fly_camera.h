@@ -13,6 +13,7 @@ namespace sl {
 
 /// How the camera flies; a resource.
 struct FlyCamera {
+    bool active = true;                ///< false: something else moves the camera
     double speed = 5.0;                ///< m/s
     double fast = 4.0;                 ///< factor while Shift is held
     float radians_per_unit = 0.0022f;  ///< of mouse movement
@@ -23,7 +24,7 @@ struct FlyCamera {
 quat look_turned(const quat& rotation, vec2 radians);
 
 /// Moves the first active camera, in its parent's space: WASD level, Q and E down and up, the captured mouse
-/// turns, the wheel sets the speed.
+/// turns, Ctrl and the wheel set the speed.
 void fly_camera(Query<const Camera, Transform> cameras, const Input& input, const FrameClock& clock,
                 FlyCamera& fly, Notice& notice);
 

@@ -195,7 +195,9 @@ std::optional<BlockPick> pick_block(World& world, const dvec3& origin, vec3 dire
 
 void set_block(World& world, Entity entity, ivec3 cell, Block block) {
     const auto* content = world.find<VoxelContent>(entity);
-    if (content != nullptr) world.resource<VoxelVolumes>().at(content->volume).set(cell, block);
+    if (content == nullptr) return;
+    world.resource<VoxelVolumes>().at(content->volume).set(cell, block);
+    if (auto* journal = world.find_resource<EditJournal>()) journal->edits.push_back({entity, cell, block});
 }
 
 }  // namespace sl

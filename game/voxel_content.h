@@ -31,6 +31,16 @@ struct VoxelContent {
     std::map<std::array<int, 3>, Entity> chunks;
 };
 
+/// What blocks were set by `set_block` and nobody has saved yet; a resource of games that save.
+struct EditJournal {
+    struct Edit {
+        Entity entity;
+        ivec3 cell;
+        Block block;
+    };
+    std::vector<Edit> edits;
+};
+
 /// What all voxel meshes of the world add up to; a resource.
 struct VoxelStats {
     MeshStats total;                 ///< of what is meshed now

@@ -29,8 +29,11 @@ void add_merge_command(const Flags& program);
 /// Needs no context, so no flags.
 void add_compare_command(const Flags& program);
 
+inline constexpr const char* scene_flag_help = "Scene by name (see `secondlight list scenes`) or path";
 /// The flags --scene, --gi and --set that several commands share.
 void add_scene_flags(const Flags& command, SceneChoice& choice);
+/// --gi and --set alone.
+void add_setting_flags(const Flags& command, SceneChoice& choice);
 
 /// Throws Error where a file's name does not end in its format, or its folder is missing; an empty name is fine. Before long
 /// work, not after.

@@ -8,7 +8,11 @@
 namespace sl {
 
 void add_scene_flags(const Flags& command, SceneChoice& choice) {
-    command.add("--scene", choice.scene, "Scene by name (see `secondlight list scenes`) or path");
+    command.add("--scene", choice.scene, scene_flag_help);
+    add_setting_flags(command, choice);
+}
+
+void add_setting_flags(const Flags& command, SceneChoice& choice) {
     command.add("--gi", choice.gi, "GI method (see `secondlight list methods`), e.g. rsm_disc or rsm_grid:paper-artefact");
     command.add("--set", choice.sets,
                        "component.field=value, or entity.component.field=value; repeatable (see `secondlight list settings`)");

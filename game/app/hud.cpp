@@ -7,8 +7,10 @@
 #include <cmath>
 
 #include "engine/core/field_list.h"
+#include "game/app/hud_blocks.h"
 #include "game/block_tool.h"
 #include "game/notice.h"
+#include "game/saved_world.h"
 #include "game/session.h"
 #include "game/voxel_content.h"
 
@@ -25,9 +27,12 @@ constexpr const char* keys_text =
     "  left        break a block\n"
     "  right       place a block\n"
     "  middle      take the kind of block\n"
-    "1 ... 9       choose a block\n"
-    "W A S D       fly;  E up, Q down\n"
-    "Shift         faster;  wheel: speed\n"
+    "1 ... 9       choose a block; so does the wheel\n"
+    "W A S D       walk;  Space: jump, swim up\n"
+    "Shift         run;  C: crouch, dive\n"
+    "V             fly, and walk again;  E up, Q down\n"
+    "Ctrl+wheel    speed of flight\n"
+    "F             flashlight\n"
     "G             next GI method\n"
     "O             GI off and on\n"
     "[ ]           sun round (or left, right)\n"
@@ -135,7 +140,9 @@ void draw_hud(App& app, const HudInput& input) {
             "Press F1 and tick \"active\" on a camera, or add one to an entity.",
             centre, alarming);
     } else {
+        draw_block_outline(app.world);
         crosshair(centre);
+        draw_hotbar(app.world);
     }
     if (!input.shader_errors.empty()) {
         TextBox box;
@@ -143,8 +150,12 @@ void draw_hud(App& app, const HudInput& input) {
         for (const std::string& error : input.shader_errors) box.line(error, alarming);
         box.draw(ImVec2(gap, screen.Size.y - gap), ImVec2(0, 1), 190);
     }
+    if (const auto* saved = app.world.find_resource<SavedWorld>(); saved != nullptr && !saved->file->status().problem.empty()) {
+        const WorldFile::Status status = saved->file->status();
+        message(fmt::format("{} ({} changes wait)", status.problem, status.waiting), ImVec2(centre.x, screen.Size.y * 0.12f), alarming, 190);
+    }
     if (const auto& notice = app.world.resource<Notice>(); notice.seconds_left > 0.0) {
-        message(notice.text, ImVec2(centre.x, screen.Size.y * 0.8f), plain);
+        message(notice.text, ImVec2(centre.x, screen.Size.y * 0.75f), plain);
     }
     if (input.help) message(keys_text, centre, plain, 190);
 }

@@ -2,6 +2,7 @@
 #include "game/app/play.h"
 
 #include "engine/core/error.h"
+#include "game/saved_world.h"
 
 namespace sl {
 
@@ -9,9 +10,30 @@ namespace {
 
 struct PlayFlags {
     PlaySettings settings;
+    std::optional<std::string> scene, world;
     std::string size = "1280x720";
+    bool new_world = false;
     bool no_vsync = false;
 };
+
+/// The world of those who choose neither world nor scene.
+constexpr const char* first_world = "village.world";
+
+/// What a game is played in: a world that keeps changes, or a scene that does not.
+void choose_world(PlayFlags& flags) {
+    PlaySettings& settings = flags.settings;
+    if (flags.new_world && !flags.world) fail("--new needs to know where the world is to be: add --world PATH");
+    if (flags.world && flags.scene && !flags.new_world) fail("--world {} names its scene itself: leave --scene out, or make another world with --new", *flags.world);
+    if (flags.scene) settings.scene.scene = *flags.scene;
+    settings.new_world = flags.new_world;
+    if (flags.world) {
+        settings.world = *flags.world;
+    } else if (!flags.scene) {
+        std::filesystem::create_directories(worlds_folder());
+        settings.world = worlds_folder() / first_world;
+        settings.new_world = !std::filesystem::exists(settings.world);
+    }
+}
 
 int run_play(const GlobalFlags& global, PlayFlags flags) {
     const gl::ContextKind kind = gl::parse_context_kind(global.context);
@@ -21,6 +43,7 @@ int run_play(const GlobalFlags& global, PlayFlags flags) {
             "--context {0}`",
             global.context);
     }
+    choose_world(flags);
     flags.settings.window.size = parse_size(flags.size);
     flags.settings.window.vsync = !flags.no_vsync;
     Play(flags.settings).run();
@@ -32,7 +55,10 @@ int run_play(const GlobalFlags& global, PlayFlags flags) {
 void add_play_command(const Flags& program, const GlobalFlags& global) {
     auto flags = std::make_shared<PlayFlags>();
     const Flags command = program.command("play", "Open the game in a window (H lists the keys)");
-    add_scene_flags(command, flags->settings.scene);
+    command.add("--scene", flags->scene, scene_flag_help);
+    add_setting_flags(command, flags->settings.scene);
+    command.add("--world", flags->world, "World file that keeps all changes; without it and --scene, village.world in ~/.local/share/secondlight/worlds");
+    command.toggle("--new", flags->new_world, "Make that world, from --scene or the village");
     command.add("--size", flags->size, "Size of the window");
     command.toggle("--fullscreen", flags->settings.window.fullscreen,
                       "Fill the screen (F11 while playing)");

@@ -15,6 +15,8 @@ namespace sl {
 
 struct PlaySettings {
     SceneChoice scene;
+    std::filesystem::path world;  ///< where changes are kept; empty: nowhere
+    bool new_world = false;       ///< it is made from the scene; otherwise it is there and names its scene
     WindowSettings window;
     double render_scale = 1.0;     ///< pixels drawn per pixel shown, per axis
     std::uint64_t max_frames = 0;  ///< 0: until the window is closed

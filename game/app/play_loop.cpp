@@ -6,9 +6,12 @@
 #include "engine/render/scene/extract.h"
 #include "game/app/play.h"
 #include "game/block_tool.h"
+#include "game/flashlight.h"
 #include "game/fly_camera.h"
 #include "game/light_keys.h"
 #include "game/notice.h"
+#include "game/player/player.h"
+#include "game/saved_world.h"
 
 namespace sl {
 
@@ -17,11 +20,19 @@ namespace {
 constexpr double longest_step = 0.1;     // s; a pause is no flight through a wall
 constexpr double reload_interval = 0.5;  // s
 
-App open_game(const SceneChoice& choice) {
-    App app = open_scene(choice);
+App open_game(PlaySettings settings) {
+    std::unique_ptr<WorldFile> file;
+    if (!settings.world.empty()) {
+        file = settings.new_world ? WorldFile::create(settings.world, settings.scene.scene) : WorldFile::open(settings.world);
+        settings.scene.scene = file->scene();
+    }
+    App app = open_scene(settings.scene);
     add_light_keys(app);
     add_block_tool(app);
     add_fly_camera(app);
+    add_player(app);
+    add_flashlight(app);
+    if (file) attach_world(app, std::move(file));
     return app;
 }
 
@@ -51,7 +62,7 @@ std::filesystem::path free_picture_path() {
 
 Play::Play(const PlaySettings& settings)
     : settings_(settings),
-      app_(open_game(settings.scene)),
+      app_(open_game(settings)),
       window_(settings.window),
       context_(gl::create_context(gl::ContextKind::window, window_.native())),
       widgets_(window_) {

@@ -39,17 +39,19 @@ void main() {
     irradiance = vec4(0.0);
     if (point.distance < 0.0) return;
     float level = facet_level(length(point.position - frame.camera_position.xyz), facets.grid.x);
-    FacetCell cell = facet_cell(point.position, point.normal, level);
+    uint side = facet_side(point.normal);
+    vec3 along = facet_axes(point.position, side >> 1);
+    FacetCell cell = facet_cell_along(along, side, level);
     Found found = find(cell);
     // A coarser one is there for pixels that no ray has met yet.
     for (float coarser = 1.0; coarser <= 3.0 && found.slot == ~0u; ++coarser) {
-        cell = facet_cell(point.position, point.normal, level + coarser);
+        cell = facet_cell_along(along, side, level + coarser);
         found = find(cell);
         found.split = false;
     }
     if (found.slot == ~0u) return;
     for (uint finer = 1u; finer <= facet_most_splits && found.split; ++finer) {
-        FacetCell inner_cell = facet_cell(point.position, point.normal, level - float(finer));
+        FacetCell inner_cell = facet_cell_along(along, side, level - float(finer));
         Found inner = find(inner_cell);
         if (inner.slot == ~0u) break;
         found = inner;

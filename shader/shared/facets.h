@@ -36,16 +36,19 @@ SHARED_FN uint facet_axis(vec3 normal) {
     return size.x >= size.z - 0.02f ? 0u : 2u;
 }
 
-/// Side of the facets at a distance: the least power of two that is not smaller than asked for; as its exponent.
+/// Side of the facets at a distance: the least power of two that is not smaller than asked for; as its exponent. From the
+/// bits, which is exact and costs no logarithm.
 SHARED_FN float facet_level(float distance, float side_over_distance) {
-    return clamp(ceil(log2(max(distance * side_over_distance, 1e-18f))), -60.0f, 60.0f);
+    uint bits = floatBitsToUint(clamp(distance * side_over_distance, 1e-17f, 1e17f));
+    return float(int(bits >> 23) - ((bits & 0x7fffffu) == 0u ? 127 : 126));
 }
 
-SHARED_FN FacetCell facet_cell(vec3 position, vec3 normal, float level) {
-    uint axis = facet_axis(normal);
-    vec3 at = facet_axes(position, axis);
-    uint side = 2u * axis + (facet_axes(normal, axis).z < 0.0f ? 1u : 0u);
-    at = at * exp2(-level);
+/// 2 to the power of a whole number from -126 to 127.
+SHARED_FN float power_of_two(float exponent) { return uintBitsToFloat(uint(int(exponent) + 127) << 23); }
+
+/// The facet of a point whose lattice coordinates are known, on a surface that faces to a side.
+SHARED_FN FacetCell facet_cell_along(vec3 along, uint side, float level) {
+    vec3 at = along * power_of_two(-level);
     // Off the surface the lattice is finer: steps are other facets than the floor beside them. Surfaces often lie on its
     // planes; seen a little before themselves, they lie between two.
     at.z = at.z * 8.0f + ((side & 1u) != 0u ? -0.2929f : 0.2929f);
@@ -57,6 +60,17 @@ SHARED_FN FacetCell facet_cell(vec3 position, vec3 normal, float level) {
     result.name = uvec4(high, low, 0u, 0u);
     result.within = vec4(at.x - cell.x, at.y - cell.y, 0.0f, 0.0f);
     return result;
+}
+
+/// The side to which a surface faces: twice the axis, and 1 more where it faces down it.
+SHARED_FN uint facet_side(vec3 normal) {
+    uint axis = facet_axis(normal);
+    return 2u * axis + (facet_axes(normal, axis).z < 0.0f ? 1u : 0u);
+}
+
+SHARED_FN FacetCell facet_cell(vec3 position, vec3 normal, float level) {
+    uint side = facet_side(normal);
+    return facet_cell_along(facet_axes(position, side >> 1), side, level);
 }
 
 /// Where the search for a facet begins, before it is cut to the table's size.

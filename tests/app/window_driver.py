@@ -52,7 +52,7 @@ class Game:
         self.folder.mkdir(parents=True)
         self.log_path = self.folder / "log.txt"
         with open(self.log_path, "w") as log:
-            self.process = subprocess.Popen([program, "play", "--scene", scene, "--no-vsync", *flags],
+            self.process = subprocess.Popen([program, "play", *(["--scene", scene] if scene else []), "--no-vsync", *flags],
                                             cwd=self.folder, env=self.env, stdout=log, stderr=log)
         self.window = self.wait("a window opens", self.find_window)
         self.xdotool("windowfocus", self.window)
@@ -148,6 +148,11 @@ class Game:
         check(code == 0, f"Ctrl+Q ends '{self.scene}' with code 0 (got {code}; {log.strip()[-300:]})")
         bad = [line for line in log.splitlines() if "error" in line.lower()]
         check(not bad, f"its log has no errors {bad}")
+
+    def kill(self):
+        """As a crash or a power cut of the program would end it."""
+        self.process.kill()
+        self.process.wait(PATIENCE)
 
     def log(self):
         return self.log_path.read_text()

@@ -172,6 +172,35 @@ def play_without_camera(screen, program, folder):
         game.quit()
 
 
+def keep_a_world(screen, program, folder):
+    print("world: a block is broken, the game killed, and the block is still broken", flush=True)
+    world, flags = folder / "kept.world", ("--size", "480x270", "--set", "sun.azimuth=3.74")
+    world.unlink(missing_ok=True)
+    # Beside it is the outline of the block behind, which is only there while the mouse is captured.
+    middle, beside_outline = "80x80+200+95", "20x20+206+122"
+    with Game(screen, program, folder / "world", "outdoor", "--world", world, "--new", *flags) as game:
+        game.xdotool("mousemove", "240", "135", "click", "1")
+        time.sleep(2.0)
+        for _ in range(4):
+            game.xdotool("mousemove_relative", "--", "0", "60")
+            time.sleep(0.6)
+        ground = game.settled_shot("ground", middle)
+        game.xdotool("click", "1")
+        game.shot_when("broken", "left click breaks a block", lambda p: difference(ground, p, middle) > 0.02)
+        time.sleep(2.0)  # the place of the player is saved each second
+        hole = game.settled_shot("hole", middle)
+        check(difference(ground, hole, beside_outline) > 0.05, "the hole can be seen where the pictures are compared")
+        done = run(program, "play", "--world", world, env=screen.env)
+        check(done.returncode == 1 and "another process" in done.stderr, f"a second game in this world is refused ({done.stderr.strip()})")
+        game.kill()
+    with Game(screen, program, folder / "world_again", None, "--world", world, *flags) as game:
+        game.shot_when("again", "after a kill the hole is there, and the player where it was", lambda p: difference(hole, p, beside_outline) < 0.02)
+        game.quit()
+    world.write_bytes(b"no world" * 100)
+    done = run(program, "play", "--world", world, env=screen.env)
+    check(done.returncode == 1 and str(world) in done.stderr and "no world" in done.stderr, f"what is no world is refused ({done.stderr.strip()})")
+
+
 def refuse(screen, program):
     print("no window to be had", flush=True)
     blind = {key: value for key, value in screen.env.items() if key != "DISPLAY"}
@@ -188,11 +217,13 @@ def main():
         print(f"skipped: install {', '.join(missing)} (packages xvfb, xdotool, imagemagick)")
         return 77
     with Screen() as screen:
+        screen.env["XDG_DATA_HOME"] = str(folder / "data")
         refuse(screen, program)
         play_cornell(screen, program, folder)
         play_outdoor(screen, program, folder)
         play_broken_shaders(screen, program, folder)
         play_without_camera(screen, program, folder)
+        keep_a_world(screen, program, folder)
     return 0
 
 

@@ -107,6 +107,7 @@ TEST_F(FlyCameraTest, TurningBackComesBack) {
 
 TEST_F(FlyCameraTest, TheWheelSetsTheSpeed) {
     const double before = app_.world.resource<FlyCamera>().speed;
+    hold(Key::control);
     input().scroll = 2.0f;
     run(1, 0.01);
     EXPECT_GT(app_.world.resource<FlyCamera>().speed, before * 1.2);

@@ -79,7 +79,7 @@ class FacetCache {
     std::vector<Bounds> changed_surfaces(const RenderScene& scene) const;
     void change_surfaces(const RenderScene& scene, const FrameParams& frame, const Facets& settings, const std::vector<Bounds>& boxes);
     /// Returns where there are none now.
-    Bounds forget_facets(const Bounds& box);
+    std::vector<Bounds> forget_facets(const std::vector<Bounds>& boxes);
     void mend_later(const std::vector<Bounds>& boxes);
     void mend(const Deadline& deadline);
     void look_again_at_splits();
@@ -87,16 +87,17 @@ class FacetCache {
     void forget_empty_groups();
     void distrust_guide(std::uint32_t group);
     void look_around(const FrameParams& frame, const Facets& settings, const Deadline& deadline);
-    /// All looks, at what a box covers.
-    void look_at(const FrameParams& frame, const Facets& settings, const Bounds& where);
+    /// All looks, at what boxes cover.
+    void look_at(const FrameParams& frame, const Facets& settings, const std::vector<Bounds>& where);
     /// Rays of the camera through one pixel of each square of the picture.
     struct Look {
         std::uint32_t number = 0;  ///< which pixel of each square
         std::uint32_t margin = 0;  ///< squares beyond the picture's edge
         bool half = false;         ///< every other square
     };
-    /// Returns the share of squares in which a ray met what was not known.
-    float look(const FrameParams& frame, const Facets& settings, const Look& what, const Bounds& where);
+    /// Along rays that pass through one of the boxes, or all where there are none. Returns the share of squares in which a ray
+    /// met what was not known.
+    float look(const FrameParams& frame, const Facets& settings, const Look& what, const std::vector<Bounds>& where = {});
     /// `root` 0: it is one itself.
     void add(const SurfacePoint& point, float level, FacetName root = 0, std::uint32_t depth = 0, bool stand_in = false);
     std::uint32_t corner_of(Facet& facet, FacetName name, vec2 within, uvec2 lattice);

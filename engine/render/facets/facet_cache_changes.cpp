@@ -116,14 +116,14 @@ void FacetCache::change_surfaces(const RenderScene& scene, const FrameParams& fr
     const auto before = world_->emitters.balls();
     // Lights are another change.
     world_->resurface(scene);
-    for (const Bounds& box : boxes) patches_->change(box);
+    patches_->change(boxes);
     const auto now = world_->emitters.balls();
     std::vector<Emitters::Ball> glowing;
     std::ranges::copy_if(before, std::back_inserter(glowing), [&](const auto& ball) { return std::ranges::find(now, ball) == now.end(); });
     std::ranges::copy_if(now, std::back_inserter(glowing), [&](const auto& ball) { return std::ranges::find(before, ball) == before.end(); });
     if (!glowing.empty()) patches_->forget_light(glowing);
     // What is seen of the changed part, at once: there must be no holes.
-    for (const Bounds& box : boxes) look_at(frame, settings, forget_facets(box));
+    look_at(frame, settings, forget_facets(boxes));
     mend_later(boxes);
     light_moves();
     splits_are_old_ = true;
@@ -148,9 +148,9 @@ void FacetCache::mend_later(const std::vector<Bounds>& boxes) {
     std::sort(unmended_.end() - static_cast<std::ptrdiff_t>(urgent), unmended_.end(), less);
 }
 
-Bounds FacetCache::forget_facets(const Bounds& box) {
-    Bounds without = box;
-    const auto forgotten = [&](Facet& facet) {
+std::vector<Bounds> FacetCache::forget_facets(const std::vector<Bounds>& boxes) {
+    std::vector<Bounds> without = boxes;
+    const auto touched = [&](Facet& facet, const Bounds& box, Bounds& empty) {
         const float side = std::exp2(facet.level);
         if (!box.grown(2.5f * side).contains(facet.middle.position)) return false;
         const vec2 within(facet_cell(facet.middle.position, facet.middle.normal(), facet.level).within);
@@ -162,8 +162,14 @@ Bounds FacetCache::forget_facets(const Bounds& box) {
             facet.split = false;
             return false;
         }
-        without.add(centre - 0.75f * side);
-        without.add(centre + 0.75f * side);
+        empty.add(centre - 0.75f * side);
+        empty.add(centre + 0.75f * side);
+        return true;
+    };
+    const auto forgotten = [&](Facet& facet) {
+        bool any = false;
+        for (std::size_t i = 0; i < boxes.size(); ++i) any |= touched(facet, boxes[i], without[i]);
+        if (!any) return false;
         for (const std::uint32_t corner : facet.corners) release(corner);
         return true;
     };
@@ -171,8 +177,9 @@ Bounds FacetCache::forget_facets(const Bounds& box) {
     std::erase_if(unsplit_, [&](FacetName name) { return !facets_.contains(name); });
     // What stands beside a corner now may keep others from sharing it.
     for (Corner& corner : corners_) {
-        if (corner.shared_as == 0 || !box.grown(0.2f * std::exp2(corner.at.level)).contains(corner.at.point.position)) continue;
-        shared_corners_.erase(std::exchange(corner.shared_as, 0));
+        if (corner.shared_as == 0) continue;
+        const auto beside = [&](const Bounds& box) { return box.grown(0.2f * std::exp2(corner.at.level)).contains(corner.at.point.position); };
+        if (std::ranges::any_of(boxes, beside)) shared_corners_.erase(std::exchange(corner.shared_as, 0));
     }
     bury_released();
     table_is_old_ = shown_are_old_ = true;

@@ -33,7 +33,6 @@ constexpr float slabs_of_a_side = 8.0f;
 constexpr float glaring = 3.0f;
 /// A group of corners lies in a square of 8 by 8 facets.
 constexpr float group_level = 3.0f;
-const Bounds everywhere{vec3(std::numeric_limits<float>::lowest()), vec3(std::numeric_limits<float>::max())};
 
 std::uint32_t looks_per_side(const Facets& settings) {
     return std::clamp(static_cast<std::uint32_t>(std::ceil(settings.spacing)), 1u, most_looks_per_side);
@@ -81,16 +80,16 @@ void FacetCache::look_around(const FrameParams& frame, const Facets& settings, c
         // A camera that moves sees what it missed a frame later; at every other square it is asked in turn.
         const Look what{.number = all_looks_++ % all, .margin = deadline.none() ? 0 : beyond_the_edge, .half = looks_ == 0 && !deadline.none()};
         ++looks_;
-        const float fresh = look(frame, settings, what, everywhere);
+        const float fresh = look(frame, settings, what);
         if (deadline.none() && fresh > elsewhere) most = all;
     }
 }
 
-void FacetCache::look_at(const FrameParams& frame, const Facets& settings, const Bounds& where) {
+void FacetCache::look_at(const FrameParams& frame, const Facets& settings, const std::vector<Bounds>& where) {
     for (std::uint32_t i = 0; i < looks_per_side(settings) * looks_per_side(settings); ++i) look(frame, settings, {.number = i}, where);
 }
 
-float FacetCache::look(const FrameParams& frame, const Facets& settings, const Look& what, const Bounds& where) {
+float FacetCache::look(const FrameParams& frame, const Facets& settings, const Look& what, const std::vector<Bounds>& where) {
     const vec2 size(frame.ray_right.w, frame.ray_up.w);
     const float spacing = std::max(settings.spacing, 1.0f);
     const uvec2 count = uvec2(glm::ceil(size / spacing)) + 2 * what.margin;
@@ -107,7 +106,8 @@ float FacetCache::look(const FrameParams& frame, const Facets& settings, const L
         const vec2 cell = vec2(i % count.x, i / count.x) - static_cast<float>(what.margin), last = size - 1.0f + spacing * static_cast<float>(what.margin);
         const vec2 at = (glm::min(glm::floor((cell + within) * spacing), last) + 0.5f) / size;
         const Ray ray{.origin = vec3(frame.camera_position), .direction = view_ray(frame, vec2(2.0f * at.x - 1.0f, 1.0f - 2.0f * at.y)), .nearest = frame.camera_position.w};
-        if (!where.meets(ray.origin, ray.direction, std::numeric_limits<float>::infinity())) return;
+        const auto meets = [&](const Bounds& box) { return box.meets(ray.origin, ray.direction, std::numeric_limits<float>::infinity()); };
+        if (!where.empty() && std::ranges::none_of(where, meets)) return;
         const auto hit = world_->scene.intersect_front(ray);
         if (!hit) return;
         const SurfacePoint point = world_->scene.surface_at(*hit);

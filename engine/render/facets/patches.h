@@ -59,9 +59,9 @@ class Patches {
     /// The world must outlive the patches.
     explicit Patches(const TransportWorld& world) : world_(world) { measure_world(); }
 
-    /// Surfaces of the world have changed within a box alone: what lies there is forgotten. Lights are those of before.
+    /// Surfaces of the world have changed within boxes alone: what lies there is forgotten. Lights are those of before.
     /// What points have seen there, or through it, stays until `mend`.
-    void change(const Bounds& box);
+    void change(std::span<const Bounds> boxes);
     /// What these points' links met in or through boxes that have changed is looked for anew.
     void mend(std::span<const Job> jobs);
     /// The same for at most `most` patches; false when all have followed.
@@ -187,7 +187,7 @@ class Patches {
 
     void measure_world();
     void trace(std::vector<Probe>& rays);
-    void forget(const Bounds& box);
+    void forget(std::span<const Bounds> boxes);
     /// Of light, of some lights, that comes through a box. Returns whether there was any.
     bool forget_shadows(Patch& patch, vec3 middle, const Bounds& box, std::span<const std::uint32_t> lights) const;
     bool passes(const GatherPoint& point, const Link& link, const Bounds& box) const;

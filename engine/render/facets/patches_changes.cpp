@@ -22,11 +22,11 @@ bool may_throw_shadow(const LightParams& light, const Bounds& box) {
 
 }  // namespace
 
-void Patches::change(const Bounds& box) {
+void Patches::change(std::span<const Bounds> boxes) {
     measure_world();
-    forget(box);
-    changes_.push_back(box);
-    ++all_changes_;
+    forget(boxes);
+    changes_.insert(changes_.end(), boxes.begin(), boxes.end());
+    all_changes_ += static_cast<std::uint32_t>(boxes.size());
     mended_ = 0;
 }
 
@@ -78,12 +78,12 @@ bool Patches::passes(const GatherPoint& point, const Link& link, const Bounds& b
     return link.direction != 0 && box.meets(point.point.position, unpack_normal(link.direction), link.distance);
 }
 
-void Patches::forget(const Bounds& box) {
+void Patches::forget(std::span<const Bounds> boxes) {
     std::vector<std::uint32_t> lights;
     for (std::uint32_t i = 0; i < world_.lights.size(); ++i) {
-        if (may_throw_shadow(world_.lights[i], box)) lights.push_back(i);
+        if (std::ranges::any_of(boxes, [&](const Bounds& box) { return may_throw_shadow(world_.lights[i], box); })) lights.push_back(i);
     }
-    const auto may_matter = [&](vec3 middle, float side, float light_there) {
+    const auto may_matter = [&](const Bounds& box, vec3 middle, float side, float light_there) {
         const Bounds wide = box.grown(reach * side);
         if (wide.contains(middle)) return true;
         for (const std::uint32_t number : lights) {
@@ -98,15 +98,20 @@ void Patches::forget(const Bounds& box) {
     tbb::parallel_for(std::size_t{0}, patches_.size(), [&](std::size_t id) {
         const vec3 middle(places_[id]);
         const float side = places_[id].w;
-        if (side < 0.0f || !may_matter(middle, side, luminance(reflected_[id]))) return;
-        Patch& patch = patches_[id];
-        if (box.contains(patch.middle.point.position)) {
-            fates[id] = Fate::goes;
-        } else if (box.grown(reach * side).contains(middle)) {
-            patch.samples.clear();
-            fates[id] = Fate::waits;
-        } else if (forget_shadows(patch, middle, box, lights)) {
-            fates[id] = Fate::waits;
+        if (side < 0.0f) return;
+        for (const Bounds& box : boxes) {
+            if (!may_matter(box, middle, side, luminance(reflected_[id]))) continue;
+            Patch& patch = patches_[id];
+            if (box.contains(patch.middle.point.position)) {
+                fates[id] = Fate::goes;
+                return;
+            }
+            if (box.grown(reach * side).contains(middle)) {
+                patch.samples.clear();
+                fates[id] = Fate::waits;
+            } else if (forget_shadows(patch, middle, box, lights)) {
+                fates[id] = Fate::waits;
+            }
         }
     });
     for (std::uint32_t id = 0; id < patches_.size(); ++id) {

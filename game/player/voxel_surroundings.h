@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/ecs/world.h"
+#include "game/player/body.h"
+
+namespace sl {
+
+/// The blocks of all voxel entities as something to walk on. What is turned against the axes counts as large as the box
+/// around it. Holds no copies: good until entities or volumes change.
+Surroundings voxel_surroundings(World& world);
+
+}  // namespace sl

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "game/saved_world.h"
+
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "engine/core/clock.h"
+#include "engine/core/error.h"
+#include "engine/core/log.h"
+#include "engine/ecs/components.h"
+#include "engine/ecs/query.h"
+#include "game/session.h"
+#include "game/voxel_content.h"
+
+namespace sl {
+
+namespace {
+
+constexpr double player_is_saved_every = 1.0;  // s
+constexpr const char* player_key = "player";
+
+std::string player_text(World& world, Entity camera) {
+    const auto& place = world.get<Transform>(camera);
+    const dvec3& at = place.translation;
+    const quat& turn = place.rotation;
+    return nlohmann::json{{"translation", {at.x, at.y, at.z}}, {"rotation", {turn.x, turn.y, turn.z, turn.w}}}.dump();
+}
+
+/// Nothing where the text is none of player_text.
+void place_player(World& world, Entity camera, const std::string& text) {
+    const auto json = nlohmann::json::parse(text, nullptr, false);
+    const auto numbers = [&](const char* key, std::size_t count) {
+        std::vector<double> values;
+        if (!json.is_object() || !json.contains(key) || !json[key].is_array() || json[key].size() != count) return values;
+        for (const auto& value : json[key]) values.push_back(value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN());
+        return std::ranges::all_of(values, [](double value) { return std::abs(value) <= 1e7; }) ? values : std::vector<double>();
+    };
+    const auto at = numbers("translation", 3), turn = numbers("rotation", 4);
+    if (at.empty() || turn.empty()) return log::warn("the world does not tell where the player was; it begins as the scene does");
+    const quat rotation(static_cast<float>(turn[3]), static_cast<float>(turn[0]), static_cast<float>(turn[1]), static_cast<float>(turn[2]));
+    if (!(glm::length(rotation) > 0.5f)) return;
+    auto& place = world.get<Transform>(camera);
+    place.translation = {at[0], at[1], at[2]};
+    place.rotation = glm::normalize(rotation);
+}
+
+}  // namespace
+
+std::filesystem::path worlds_folder() {
+    const char* data = std::getenv("XDG_DATA_HOME");
+    const char* home = std::getenv("HOME");
+    if (data != nullptr && *data == '/') return std::filesystem::path(data) / "secondlight/worlds";
+    if (home != nullptr && *home == '/') return std::filesystem::path(home) / ".local/share/secondlight/worlds";
+    fail("there is no home folder to keep worlds in: set HOME, or choose a file with --world PATH");
+}
+
+void attach_world(App& app, std::unique_ptr<WorldFile> file) {
+    World& world = app.world;
+    SavedWorld saved;
+    for (auto [entity, generator] : Query<const VoxelGenerator>(world)) saved.volumes.push_back(entity);
+    std::size_t lost = 0;
+    for (const BlockEdit& edit : file->edits()) {
+        edit.volume < saved.volumes.size() ? set_block(world, saved.volumes[edit.volume], edit.cell, edit.block) : void(++lost);
+    }
+    if (lost > 0) log::warn("{}: the scene {} has no place for {} changed blocks", file->path().string(), file->scene(), lost);
+    const Entity camera = active_camera(world);
+    if (const std::string player = file->text(player_key); camera && world.has<Transform>(camera) && !player.empty()) place_player(world, camera, player);
+    saved.file = std::move(file);
+    // From now on, and not what was just read.
+    world.add_resource(EditJournal{});
+    world.add_resource(std::move(saved));
+    app.schedule.add(Stage::present, "save_world", &save_world);
+    app.schedule.run(world);
+}
+
+void save_world(World& world) {
+    auto& saved = world.resource<SavedWorld>();
+    for (const EditJournal::Edit& edit : std::exchange(world.resource<EditJournal>().edits, {})) {
+        const auto volume = std::ranges::find(saved.volumes, edit.entity);
+        if (volume != saved.volumes.end()) saved.file->save({static_cast<std::uint32_t>(volume - saved.volumes.begin()), edit.cell, edit.block});
+    }
+    saved.unsaved += world.resource<FrameClock>().step;
+    const Entity camera = active_camera(world);
+    if (saved.unsaved < player_is_saved_every || !camera || !world.has<Transform>(camera)) return;
+    saved.unsaved = 0.0;
+    if (std::string text = player_text(world, camera); text != saved.player) {
+        saved.player = text;
+        saved.file->save_text(player_key, std::move(text));
+    }
+}
+
+}  // namespace sl

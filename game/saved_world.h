@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/ecs/app.h"
+#include "game/saving/world_file.h"
+
+namespace sl {
+
+/// The world file of this game; a resource.
+struct SavedWorld {
+    std::unique_ptr<WorldFile> file;
+    std::vector<Entity> volumes;  ///< voxel entities, by their numbers in the file
+    double unsaved = 0.0;         ///< s since the player was last looked at
+    std::string player;           ///< as last saved
+};
+
+/// Where worlds lie that nobody gave a path: $XDG_DATA_HOME or ~/.local/share, and there secondlight/worlds. Throws Error
+/// where there is no home.
+std::filesystem::path worlds_folder();
+
+/// Puts what a world file holds into its scene, just opened, and saves what changes from then on: blocks that are set, and
+/// where the player is.
+void attach_world(App& app, std::unique_ptr<WorldFile> file);
+
+/// Hands what has changed to the world file; never waits for the disk.
+void save_world(World& world);
+
+}  // namespace sl
