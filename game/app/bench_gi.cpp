@@ -145,6 +145,8 @@ class ViewBench {
         std::map<std::string, std::pair<double, BenchStrip>> best;  // the strip of each method's best candidate
         for (std::size_t i = 0; i < plan_.candidates.size(); ++i) {
             const BenchCandidate& candidate = plan_.candidates[i];
+            // What another setting has left in a cache may be finer than this one's.
+            renderer.forget();
             const Drawn drawn = draw_once(choice_of(scene_, candidate), renderer, plan_.size);
             BenchRow row{.scene = scene_, .method = candidate.method, .candidate = candidate.label(), .settings = settings_of(scene_, candidate)};
             row.open = image_errors(drawn.irradiance, truths_.open.irradiance, truths_.mask);

@@ -43,7 +43,7 @@ BenchPlan full_plan() {
     plan.candidates.push_back({"rsm_disc", {"rsm_size=128", "samples=64", "interpolate=false", "rotate=true"}});
     for (const int size : {16, 32, 64}) plan.candidates.push_back({"rsm_exact", {fmt::format("rsm_size={}", size)}});
     plan.candidates.push_back({"facets", {}});
-    for (const char* quality : {"0", "0.667"}) plan.candidates.push_back({"facets", {fmt::format("quality={}", quality)}});
+    for (const char* quality : {"0", "0.75"}) plan.candidates.push_back({"facets", {fmt::format("quality={}", quality)}});
     // What it makes of one bounce, beside the truth of one.
     plan.candidates.push_back({"facets", {"bounces=1"}});
     return plan;

@@ -37,20 +37,39 @@ constexpr FieldInfo strength_info{.min = 0, .max = 10, .help = "Factor on indire
 
 void visit_fields(FieldVisitor&, GiOff&) {}
 
-// One knob for both ends of the scale, the defaults at a third: each step of a third halves the facets' side, and the noise
-// with it by half an octave.
-float facet_spacing(float quality) { return Facets{}.spacing * std::exp2(1.0f - 3.0f * quality); }
-float facet_noise(float quality) { return Facets{}.noise * std::exp2(0.5f - 1.5f * quality); }
-float facet_quality(const Facets& facets) { return std::clamp((1.0f + std::log2(Facets{}.spacing / facets.spacing)) / 3.0f, 0.0f, 1.0f); }
+struct FacetPreset {
+    float spacing, noise;
+};
+/// At quality 0, 1/4 … 1: of all pairs that were measured those with the least error for their time (docs/gi.md).
+constexpr std::array<FacetPreset, 5> facet_presets{{{16.0f, 0.2f}, {11.3f, 0.14f}, {Facets{}.spacing, Facets{}.noise}, {2.8f, 0.07f}, {2.0f, 0.05f}}};
+constexpr auto facet_intervals = static_cast<float>(facet_presets.size() - 1);
+
+/// In between, both change by equal factors.
+FacetPreset facet_preset(float quality) {
+    const float place = std::clamp(quality, 0.0f, 1.0f) * facet_intervals;
+    const auto below = std::min(static_cast<std::size_t>(place), facet_presets.size() - 2);
+    const float part = place - static_cast<float>(below);
+    const auto between = [&](float a, float b) { return a * std::pow(b / a, part); };
+    const FacetPreset &low = facet_presets[below], &high = facet_presets[below + 1];
+    return {between(low.spacing, high.spacing), between(low.noise, high.noise)};
+}
+
+float facet_quality(const Facets& facets) {
+    const auto finer = std::ranges::find_if(facet_presets, [&](const FacetPreset& preset) { return preset.spacing <= facets.spacing; });
+    if (finer == facet_presets.begin()) return 0.0f;
+    if (finer == facet_presets.end()) return 1.0f;
+    const float part = std::log(facets.spacing / (finer - 1)->spacing) / std::log(finer->spacing / (finer - 1)->spacing);
+    return (static_cast<float>(finer - facet_presets.begin() - 1) + part) / facet_intervals;
+}
 
 void visit_fields(FieldVisitor& visit, Facets& facets) {
     // No state of its own: it is read off the facets' side, and choosing another one sets that and the noise.
     const float before = facet_quality(facets);
     float quality = before;
-    visit.field("quality", quality, {.min = 0, .max = 1, .help = "Sets spacing and noise together: 0 is coarse and soon there, 1 fine and late; a frame costs the same."});
+    visit.field("quality", quality, {.min = 0, .max = 1, .help = "Sets spacing and noise together, to what was measured to be nearest for its time: 0 is coarse and soon there, 1 fine and ten times later; a frame costs the same."});
     if (quality != before) {
-        facets.spacing = facet_spacing(quality);
-        facets.noise = facet_noise(quality);
+        facets.spacing = facet_preset(quality).spacing;
+        facets.noise = facet_preset(quality).noise;
     }
     visit.field("budget_ms", facets.budget_ms, {.min = 0.5, .max = 1000, .unit = "ms", .help = "What GI may take of a frame in a window, its passes on the GPU included; less leaves new and changed light coarse for longer."});
     visit.field("spacing", facets.spacing, {.min = 1, .max = 64, .unit = "pixels", .help = "Width of a facet on the screen; less resolves finer light and costs with its square."});
