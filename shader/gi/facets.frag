@@ -43,8 +43,13 @@ void main() {
     vec3 along = facet_axes(point.position, side >> 1);
     FacetCell cell = facet_cell_along(along, side, level);
     Found found = find(cell);
+    if (found.slot == ~0u) {
+        // At an edge a surface may go on by a hair behind the next one, where no ray meets it: what is beside it will do.
+        vec2 to_eye = facet_axes(frame.camera_position.xyz, side >> 1).xy - along.xy;
+        along.xy += to_eye * (0.05 * power_of_two(level) / max(length(to_eye), 1e-20));
+    }
     // A coarser one is there for pixels that no ray has met yet.
-    for (float coarser = 1.0; coarser <= 3.0 && found.slot == ~0u; ++coarser) {
+    for (float coarser = 0.0; coarser <= 3.0 && found.slot == ~0u; ++coarser) {
         cell = facet_cell_along(along, side, level + coarser);
         found = find(cell);
         found.split = false;
