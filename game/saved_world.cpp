@@ -51,7 +51,7 @@ std::filesystem::path worlds_folder() {
     const char* home = std::getenv("HOME");
     if (data != nullptr && *data == '/') return std::filesystem::path(data) / "secondlight/worlds";
     if (home != nullptr && *home == '/') return std::filesystem::path(home) / ".local/share/secondlight/worlds";
-    fail("there is no home folder to keep worlds in: set HOME, or choose a file with --world PATH");
+    return std::filesystem::temp_directory_path() / "secondlight/worlds";
 }
 
 void attach_world(App& app, std::unique_ptr<WorldFile> file) {

@@ -14,8 +14,8 @@ struct SavedWorld {
     std::string player;           ///< as last saved
 };
 
-/// Where worlds lie that nobody gave a path: $XDG_DATA_HOME or ~/.local/share, and there secondlight/worlds. Throws Error
-/// where there is no home.
+/// Where worlds lie that nobody gave a path: $XDG_DATA_HOME or ~/.local/share, and there secondlight/worlds; without a home,
+/// in the folder for temporary files.
 std::filesystem::path worlds_folder();
 
 /// Puts what a world file holds into its scene, just opened, and saves what changes from then on: blocks that are set, and

@@ -29,9 +29,9 @@ void choose_world(PlayFlags& flags) {
     if (flags.world) {
         settings.world = *flags.world;
     } else if (!flags.scene) {
-        std::filesystem::create_directories(worlds_folder());
+        std::error_code ignored;
         settings.world = worlds_folder() / first_world;
-        settings.new_world = !std::filesystem::exists(settings.world);
+        settings.new_world = settings.unsaved_if_need_be = !std::filesystem::exists(settings.world, ignored);
     }
 }
 

@@ -17,6 +17,7 @@ struct PlaySettings {
     SceneChoice scene;
     std::filesystem::path world;  ///< where changes are kept; empty: nowhere
     bool new_world = false;       ///< it is made from the scene; otherwise it is there and names its scene
+    bool unsaved_if_need_be = false;  ///< where it cannot be made, the game goes on without
     WindowSettings window;
     double render_scale = 1.0;     ///< pixels drawn per pixel shown, per axis
     std::uint64_t max_frames = 0;  ///< 0: until the window is closed
@@ -33,6 +34,7 @@ class Play {
   private:
     using Clock = std::chrono::steady_clock;
 
+    void make_world();
     void frame();
     double step_clock();
     /// Keys of the window itself, which also work while a widget has the keyboard.

@@ -22,8 +22,8 @@ constexpr double reload_interval = 0.5;  // s
 
 App open_game(PlaySettings settings) {
     std::unique_ptr<WorldFile> file;
-    if (!settings.world.empty()) {
-        file = settings.new_world ? WorldFile::create(settings.world, settings.scene.scene) : WorldFile::open(settings.world);
+    if (!settings.world.empty() && !settings.new_world) {
+        file = WorldFile::open(settings.world);
         settings.scene.scene = file->scene();
     }
     App app = open_scene(settings.scene);
@@ -68,6 +68,23 @@ Play::Play(const PlaySettings& settings)
       widgets_(window_) {
     renderer_.emplace(shader_folder());
     editor_.scale = widgets_.scale();
+    // Last: no file is left behind by a game that does not begin.
+    if (settings_.new_world) make_world();
+}
+
+void Play::make_world() {
+    const std::string& scene = settings_.scene.scene;
+    // A path must lead there from any folder.
+    const std::filesystem::path file = scene_path(scene);
+    const std::string lasting = file == scene ? std::filesystem::absolute(file).string() : scene;
+    try {
+        if (settings_.unsaved_if_need_be) std::filesystem::create_directories(settings_.world.parent_path());
+        attach_world(app_, WorldFile::create(settings_.world, lasting));
+    } catch (const std::exception& error) {
+        if (!settings_.unsaved_if_need_be) throw;
+        log::warn("nothing is saved: {}", error.what());
+        app_.world.resource<Notice>().say(fmt::format("nothing is saved: {}", error.what()), 20.0);
+    }
 }
 
 void Play::run() {

@@ -64,9 +64,8 @@ void walk(World& world) {
     const auto& input = world.resource<Input>();
     auto& fly = world.resource<FlyCamera>();
     const bool bound = world.has<Parent>(camera);
-    const Surroundings around = voxel_surroundings(world);
     // Not before it is known where things stand.
-    if (!player.decided && world.has<WorldTransform>(camera)) begin(player, place->translation, around);
+    if (!player.decided && world.has<WorldTransform>(camera)) begin(player, place->translation, voxel_surroundings(world));
     choose_flight(world, player, input);
     fly.active = player.flying || bound;
     if (fly.active) {
@@ -77,6 +76,7 @@ void walk(World& world) {
     if (input.mouse_delta != vec2(0.0f)) place->rotation = look_turned(place->rotation, input.mouse_delta * fly.radians_per_unit);
     const BodyWish wish = wish_of(input, place->rotation);
     player.unspent = std::min(player.unspent + world.resource<FrameClock>().step, most_unspent);
+    const Surroundings around = voxel_surroundings(world);
     for (; player.unspent >= Player::step; player.unspent -= Player::step) {
         player.before = player.body;
         move_body(player.body, wish, Player::step, around);

@@ -16,6 +16,7 @@ struct PlacedVolume {
     const VoxelVolume* volume;
     glm::dmat3 blocks_from_world;
     dvec3 origin;
+    dvec3 low, high;  ///< of what there is, in blocks
 };
 
 template <class Hits>
@@ -23,9 +24,9 @@ bool any_block(const PlacedVolume& placed, const BodyBox& box, Hits&& hits) {
     const dvec3 centre = placed.blocks_from_world * (0.5 * (box.low + box.high) - placed.origin), half = 0.5 * (box.high - box.low);
     dvec3 reach(0.0);
     for (int axis = 0; axis < 3; ++axis) reach += glm::abs(placed.blocks_from_world[axis]) * half[axis];
-    const dvec3 low = glm::floor(centre - reach + touch), high = glm::ceil(centre + reach - touch);
-    // Far off or nonsense: nothing is there.
-    if (!(glm::all(glm::lessThan(glm::abs(low), dvec3(1e9))) && glm::all(glm::lessThan(glm::abs(high), dvec3(1e9))))) return false;
+    // Cut to what there is: a body is thousands of the blocks of something small. NaN is nowhere.
+    const dvec3 low = glm::max(glm::floor(centre - reach + touch), placed.low), high = glm::min(glm::ceil(centre + reach - touch), placed.high);
+    if (!glm::all(glm::lessThan(low, high))) return false;
     for (int y = static_cast<int>(low.y); y < static_cast<int>(high.y); ++y) {
         for (int z = static_cast<int>(low.z); z < static_cast<int>(high.z); ++z) {
             for (int x = static_cast<int>(low.x); x < static_cast<int>(high.x); ++x) {
@@ -45,7 +46,7 @@ Surroundings voxel_surroundings(World& world) {
         const glm::dmat3 world_from_blocks = glm::dmat3(transform.linear) * double{volume.block_size()};
         // Squashed flat, an entity has no blocks to stand on.
         if (std::abs(glm::determinant(world_from_blocks)) < 1e-18) continue;
-        placed.push_back({&volume, glm::inverse(world_from_blocks), transform.origin});
+        placed.push_back({&volume, glm::inverse(world_from_blocks), transform.origin, dvec3(volume.low()), dvec3(volume.high())});
     }
     const auto any = [](const std::vector<PlacedVolume>& volumes, const BodyBox& box, auto&& hits) {
         return std::ranges::any_of(volumes, [&](const PlacedVolume& one) { return any_block(one, box, hits); });

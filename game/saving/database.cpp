@@ -29,7 +29,17 @@ int flags_of(Database::Access access) {
         case Database::Access::write: return SQLITE_OPEN_READWRITE;
         case Database::Access::read: break;
     }
-    return SQLITE_OPEN_READONLY;
+    return SQLITE_OPEN_READONLY | SQLITE_OPEN_URI;
+}
+
+/// A path in a URI.
+std::string escaped(const std::string& path) {
+    std::string result;
+    for (const char c : path) {
+        const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '/' || c == '.' || c == '_' || c == '-';
+        result += plain ? std::string(1, c) : fmt::format("%{:02x}", static_cast<unsigned char>(c));
+    }
+    return result;
 }
 
 }  // namespace
@@ -46,7 +56,9 @@ Database::Database(const std::filesystem::path& path, Access access) : path_(pat
     if (!exists && access != Access::create) fail("{}: there is no such file", path.string());
     if (exists && !std::filesystem::is_regular_file(path, ignored)) fail("{}: it is no file", path.string());
     sqlite3* connection = nullptr;
-    const int code = sqlite3_open_v2(path.string().c_str(), &connection, flags_of(access), nullptr);
+    // Where nothing can be written there can be no log either, and its memory beside the file is not asked for.
+    const std::string name = access == Access::read ? "file:" + escaped(std::filesystem::absolute(path).string()) + "?immutable=1" : path.string();
+    const int code = sqlite3_open_v2(name.c_str(), &connection, flags_of(access), nullptr);
     connection_.reset(connection);
     if (code != SQLITE_OK) fail_with(code);
     sqlite3_extended_result_codes(connection, 1);

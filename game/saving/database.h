@@ -16,7 +16,7 @@ class Database {
   public:
     enum class Access { create, write, read };
 
-    /// `create`: there must be no such file yet.
+    /// `create`: there must be no such file yet. `read`: of a file that nobody changes meanwhile.
     Database(const std::filesystem::path& path, Access access);
 
     void run(const std::string& sql);

@@ -42,21 +42,29 @@ bool can_write(const std::filesystem::path& path) {
 }  // namespace
 
 std::unique_ptr<WorldFile> WorldFile::create(const std::filesystem::path& path, const std::string& scene) {
-    auto database = std::make_unique<Database>(path, Database::Access::create);
-    database->run(begin_writing);
-    // All at once: a world that is cut off here is none yet.
-    database->run(fmt::format("BEGIN; {} PRAGMA application_id={}; PRAGMA user_version={}; COMMIT;", tables, application_id, newest_schema));
-    std::unique_ptr<WorldFile> world(new WorldFile(path, std::move(database), ""));
-    world->scene_ = scene;
-    world->save_text("scene", scene);
-    if (!world->wait(last_wait)) fail("{}: {}", path.string(), world->status().problem);
-    return world;
+    std::error_code ignored;
+    if (std::filesystem::exists(path, ignored)) fail("{}: there is such a file already", path.string());
+    // Under another name until it is whole: one that is cut off here is no world that could be in the way.
+    std::filesystem::path unfinished = path;
+    unfinished += ".new";
+    std::filesystem::remove(unfinished, ignored);
+    {
+        Database database(unfinished, Database::Access::create);
+        database.run(fmt::format("BEGIN; {} PRAGMA application_id={}; PRAGMA user_version={};", tables, application_id, newest_schema));
+        Database::Statement(database, "INSERT INTO text VALUES ('scene', ?)").bind(0, scene).next();
+        database.run("COMMIT");
+    }
+    std::filesystem::rename(unfinished, path);
+    return open(path);
 }
 
 std::unique_ptr<WorldFile> WorldFile::open(const std::filesystem::path& path) {
     std::unique_ptr<Database> database;
     std::string problem;
     if (std::error_code ignored; std::filesystem::exists(path, ignored) && !can_write(path)) {
+        std::filesystem::path log = path;
+        log += "-wal";
+        if (std::filesystem::exists(log, ignored)) fail("{}: it was not closed, and its log cannot be read where nothing can be written: copy both to another folder", path.string());
         database = std::make_unique<Database>(path, Database::Access::read);
         problem = fmt::format("{}: changes are not saved, the file or its folder is read-only", path.string());
         check_world(*database, path);

@@ -27,7 +27,7 @@ struct BlockEdit {
 /// of its own writes, and no caller waits for the disk. Where that fails, edits wait in memory and it is tried again.
 class WorldFile {
   public:
-    /// Makes a world; there must be no such file. Throws Error.
+    /// Makes a world, whole or not at all; there must be no such file. Throws Error.
     static std::unique_ptr<WorldFile> create(const std::filesystem::path& path, const std::string& scene);
     /// Opens one. What is damaged, no world, from a newer program, or open elsewhere, is refused with an Error and stays as it
     /// is; what can only be read is opened all the same, and its status says so.

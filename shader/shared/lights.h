@@ -24,6 +24,9 @@ SHARED_FN float cone_falloff(vec4 cone, vec3 axis, vec3 from_light) {
     return ramp * ramp;
 }
 
+/// 1 - cos of the half angle of the cone that a spot or point light shines into; 2 for all directions.
+SHARED_FN float cone_versine(LightParams light) { return light.kind.x == light_spot ? min(light.cone.y / light.cone.x, 2.0f) : 2.0f; }
+
 /// glTF's window that ends a light at its range; 1 without a range.
 SHARED_FN float range_window(float distance_squared, float range) {
     if (range <= 0.0f) { return 1.0f; }

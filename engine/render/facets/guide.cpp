@@ -82,9 +82,7 @@ GuideCones::GuideCones(const Guide& guide, vec3 from) {
 vec3 GuideCones::sample(vec2 xi, float choice) const {
     const auto after = std::upper_bound(cones_.begin(), cones_.end(), choice, [](float value, const Cone& cone) { return value < cone.before; });
     const Cone& cone = *(after - 1);
-    const float below = cone.versine * xi.x, angle = 2.0f * pi * xi.y;  // 1 - cos, evenly spread over the solid angle
-    const float sine = std::sqrt(std::max(below * (2.0f - below), 0.0f));
-    return basis_around(cone.axis) * vec3(sine * std::cos(angle), sine * std::sin(angle), 1.0f - below);
+    return basis_around(cone.axis) * cone_direction(cone.versine * xi.x, xi.y);
 }
 
 float GuideCones::density(vec3 direction) const {

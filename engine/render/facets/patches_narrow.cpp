@@ -18,9 +18,6 @@ constexpr float narrow_radius = 0.5f, close_by = 0.2f;
 constexpr float from_first_point = 1.6f;
 constexpr std::uint32_t narrow_seed = 5;
 
-/// 1 - cos of half the angle of the cone that a light shines into; 2 for all directions.
-float versine_of(const LightParams& light) { return light.kind.x == light_spot ? std::min(light.cone.y / light.cone.x, 2.0f) : 2.0f; }
-
 }  // namespace
 
 bool Patches::narrow(std::uint32_t number, const Patch& patch) const {
@@ -30,7 +27,7 @@ bool Patches::narrow(std::uint32_t number, const Patch& patch) const {
     const vec3 offset = patch.middle.point.position - vec3(light.position);
     const float distance = glm::length(offset), radius = from_first_point * patch.side;
     if (distance <= radius && std::abs(glm::dot(offset, patch.middle.point.face)) < close_by * patch.side) return true;
-    const float cosine = 1.0f - versine_of(light);
+    const float cosine = 1.0f - cone_versine(light);
     // tan² of the cone against the circle's radius over the distance.
     const float sine_squared = 1.0f - cosine * cosine;
     if (!(cosine > 0.0f) || sine_squared * distance * distance > narrow_radius * narrow_radius * patch.side * patch.side * cosine * cosine) return false;
@@ -41,15 +38,14 @@ bool Patches::narrow(std::uint32_t number, const Patch& patch) const {
 
 Patches::Narrow Patches::light_narrowly(std::uint32_t number, const Patch& patch) const {
     const LightParams& light = world_.lights[number];
-    const float versine = versine_of(light);
+    const float versine = cone_versine(light);
     const mat3 around = basis_around(light.kind.x == light_spot ? vec3(light.direction) : patch.middle.point.face);
     // Lumen that a ray carries at the full intensity.
     const vec3 flux = vec3(light.intensity) * (2.0f * pi * versine / static_cast<float>(rays_of_a_light));
     Narrow result;
     for (std::uint32_t i = 0; i < rays_of_a_light; ++i) {
         const vec2 xi = SampleSequence(narrow_seed, uvec2(static_cast<std::uint32_t>(patch.cell), number), i).pair();
-        const float below = versine * xi.x, angle = 2.0f * pi * xi.y, sine = std::sqrt(std::max(below * (2.0f - below), 0.0f));
-        const vec3 direction = around * vec3(sine * std::cos(angle), sine * std::sin(angle), 1.0f - below);
+        const vec3 direction = around * cone_direction(versine * xi.x, xi.y);
         const auto hit = world_.scene.intersect({.origin = vec3(light.position), .direction = direction});
         if (!hit || !hit->front) continue;
         const SurfacePoint point = world_.scene.surface_at(*hit);

@@ -20,6 +20,13 @@ inline vec3 cosine_direction(vec2 xi) {
     return vec3(radius * std::cos(angle), radius * std::sin(angle), std::sqrt(std::max(0.0f, 1.0f - xi.x)));
 }
 
+/// A direction of the cone round +z, evenly spread over its solid angle; `below` is versine · xi: 1 - cos of the angle to the axis.
+/// Keeps its digits in cones so narrow that all their cosines are 1 in float.
+inline vec3 cone_direction(float below, float turn) {
+    const float sine = std::sqrt(std::max(below * (2.0f - below), 0.0f)), angle = 2.0f * pi * turn;
+    return vec3(sine * std::cos(angle), sine * std::sin(angle), 1.0f - below);
+}
+
 /// Which lobes a direction is drawn from at a surface, and the density of that mixture.
 struct DirectionSampler {
     mat3 basis;

@@ -18,8 +18,7 @@ vec2 LightPaths::Source::coordinates(vec3 point) const {
 
 Ray LightPaths::Source::ray(vec2 at) const {
     if (parallel) return {.origin = position + basis[0] * at.x + basis[1] * at.y, .direction = basis[2]};
-    const float sine = std::sqrt(std::max(0.0f, at.x * (2.0f - at.x))), angle = 2.0f * pi * at.y;
-    return {.origin = position, .direction = glm::normalize(basis * vec3(sine * std::cos(angle), sine * std::sin(angle), 1.0f - at.x))};
+    return {.origin = position, .direction = glm::normalize(basis * cone_direction(at.x, at.y))};
 }
 
 LightPaths::Source LightPaths::source_of(std::uint32_t light, const LightParams& params, const Bounds& bounds) {
@@ -92,7 +91,7 @@ LightPaths LightPaths::everywhere(std::span<const LightParams> lights, const Bou
             source.size = glm::max(high - source.low, 1e-30f);
         } else {
             // The ramp at a spot's edge ends where cone.y = cone.x · (1 - cos).
-            source.size = vec2(lights[i].kind.x == light_spot ? std::min(lights[i].cone.y / lights[i].cone.x, 2.0f) : 2.0f, 1.0f);
+            source.size = vec2(cone_versine(lights[i]), 1.0f);
         }
         source.share = 1.0f / count;
         source.before = static_cast<float>(paths.sources_.size()) / count;

@@ -148,14 +148,26 @@ TEST_F(WorldFileTest, DamagedFilesAreRefusedOrRead) {
 }
 
 TEST_F(WorldFileTest, AFolderThatIsReadOnlyIsToldAndPlayGoesOn) {
-    (void)WorldFile::create(path_, "outdoor");
-    if (::geteuid() == 0) GTEST_SKIP() << "root may write everywhere";
-    std::filesystem::permissions(folder_, std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
-    const auto world = WorldFile::open(path_);
-    EXPECT_EQ(world->scene(), "outdoor");
-    world->save(edit(1));
-    EXPECT_THAT(world->status().problem, HasSubstr("read-only"));
-    EXPECT_EQ(world->status().waiting, 1u);
+    {
+        const auto world = WorldFile::create(path_, "outdoor");
+        world->save(edit(7));
+    }
+    using std::filesystem::perms;
+    std::filesystem::permissions(folder_, perms::owner_read | perms::owner_exec | perms::others_read | perms::others_exec);
+    // Root may write everywhere, so somebody else looks, in a process of its own.
+    const pid_t child = ::fork();
+    if (child == 0) {
+        if (::geteuid() == 0 && (::setgid(65534) != 0 || ::setuid(65534) != 0)) ::_exit(2);
+        const auto world = WorldFile::open(path_);
+        world->save(edit(1));
+        const bool kept = world->scene() == "outdoor" && world->edits() == std::vector{edit(7)};
+        const WorldFile::Status status = world->status();
+        ::_exit(!kept ? 3 : status.problem.find("read-only") == std::string::npos ? 4 : status.waiting != 1 ? 5 : 0);
+    }
+    int result = 0;
+    ASSERT_EQ(::waitpid(child, &result, 0), child);
+    EXPECT_TRUE(WIFEXITED(result));
+    EXPECT_EQ(WEXITSTATUS(result), 0) << "2: cannot become another user; 3: not read; 4: not told; 5: not kept in memory";
 }
 
 TEST_F(WorldFileTest, AFullDiskIsToldAndSavingGoesOnWhenThereIsRoom) {
