@@ -8,6 +8,8 @@ SHARED_BEGIN
 /// In a table, the bit of a name's upper half that says that there are finer facets as well; and how often one is split.
 const uint facet_is_split = 0x40000000u;
 const uint facet_most_splits = 5u;
+/// Facets that are looked for at most: itself, beside it, four sizes; or finer ones.
+const uint facet_most_searches = 6u;
 
 /// How a pass looks irradiance up in the table of facets.
 struct FacetParams {
@@ -78,6 +80,20 @@ SHARED_FN uint facet_slot(uint high, uint low) {
     uint hash = (low ^ (high * 0x9e3779b1u)) * 0x7feb352du;
     hash = (hash ^ (hash >> 15)) * 0x846ca68bu;
     return hash ^ (hash >> 16);
+}
+
+/// Light as a table holds it, below 2^16: nine bits a channel, from the lowest up, and an exponent for all three
+/// (EXT_texture_shared_exponent). Off by at most a 512th of the brightest channel, or by 2^-24.
+SHARED_FN uint facet_word(vec3 light) {
+    uint exponent = floatBitsToUint(max(max(light.x, light.y), max(light.z, 6e-8f))) >> 23;
+    exponent = exponent > 111u ? min(exponent - 111u, 31u) : 0u;
+    vec3 steps = min(floor(light * uintBitsToFloat((151u - exponent) << 23) + 0.5f), vec3(511.0f));
+    return uint(steps.x) | (uint(steps.y) << 9) | (uint(steps.z) << 18) | (exponent << 27);
+}
+
+SHARED_FN vec3 facet_light(uint word) {
+    float unit = uintBitsToFloat(((word >> 27) + 103u) << 23);
+    return vec3(float(word & 511u), float((word >> 9) & 511u), float((word >> 18) & 511u)) * unit;
 }
 
 SHARED_END

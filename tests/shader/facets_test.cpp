@@ -2,6 +2,8 @@
 // shared/facets.h on the GPU against the same text compiled as C++: a pixel must look in the very cell that was filled for it.
 #include <random>
 
+#include <glm/gtx/component_wise.hpp>
+
 #include "engine/core/math.h"
 #include "shared/facets.h"
 #include "tests/shader/library_fixture.h"
@@ -94,6 +96,24 @@ TEST_F(FacetCells, AreLookedForFromTheSameSlots) {
         const std::uint32_t slot = facet_slot((name.x << 16) | name.y, (name.z << 16) | name.w), other = facet_slot(static_cast<std::uint32_t>(i) * 2654435761u, static_cast<std::uint32_t>(i));
         ASSERT_EQ(slots[i], vec4(slot >> 16, slot & 0xffffu, other >> 16, other & 0xffffu)) << "point " << i;
     }
+}
+
+TEST_F(FacetCells, HoldTheSameLightOnBothSides) {
+    const auto light = run("    result = vec4(facet_light(facet_word(abs(position.xyz))), 0.0);\n");
+    for (std::size_t i = 0; i < count; ++i) {
+        const vec3 given = abs(vec3(positions[i])), held = facet_light(facet_word(given));
+        ASSERT_EQ(vec3(light[i]), held) << "point " << i;
+        const float off = glm::compMax(glm::abs(held - given)), brightest = glm::compMax(given);
+        ASSERT_LE(off, std::max(brightest / 512.0f, std::exp2(-24.0f))) << "point " << i;
+    }
+}
+
+TEST(FacetWord, HoldsTheDarkestAndTheBrightest) {
+    EXPECT_EQ(facet_light(facet_word(vec3(0.0f))), vec3(0.0f));
+    EXPECT_EQ(facet_light(facet_word(vec3(1.0f, 0.5f, 0.25f))), vec3(1.0f, 0.5f, 0.25f));
+    EXPECT_EQ(facet_light(facet_word(vec3(65535.0f))), vec3(65408.0f));
+    EXPECT_EQ(facet_light(facet_word(vec3(1e9f))), vec3(65408.0f));
+    EXPECT_NEAR(facet_light(facet_word(vec3(1e-6f))).x, 1e-6f, 6e-8f);
 }
 
 }  // namespace

@@ -6,17 +6,14 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstring>
-
-#include <glm/gtc/packing.hpp>
 
 namespace sl {
 
 namespace {
 
-constexpr std::size_t words_of_a_name = 2, words_of_its_light = 6;
+constexpr std::size_t words_of_a_name = 2, words_of_its_light = 4;
 
-/// The power of two of which half floats hold the brightest.
+/// The power of two of which a word holds the brightest.
 float unit_of(std::span<const vec3> irradiance) {
     float brightest = 0.0f;
     for (const vec3& value : irradiance) brightest = std::max({brightest, value.x, value.y, value.z});
@@ -44,14 +41,11 @@ void FacetTable::place(std::span<const FacetEntry> entries) {
 void FacetTable::light(std::span<const FacetEntry> entries, std::span<const vec3> irradiance) {
     unit = unit_of(irradiance);
     // Once for each corner, and then a copy for each facet that has it.
-    halves_.resize(irradiance.size());
-    tbb::parallel_for(std::size_t{0}, irradiance.size(), [&](std::size_t i) {
-        for (int c = 0; c < 3; ++c) halves_[i][static_cast<std::size_t>(c)] = glm::packHalf1x16(irradiance[i][c] / unit);
-    });
+    corners_.resize(irradiance.size());
+    tbb::parallel_for(std::size_t{0}, irradiance.size(), [&](std::size_t i) { corners_[i] = facet_word(irradiance[i] / unit); });
     tbb::parallel_for(std::size_t{0}, entries.size(), [&](std::size_t i) {
-        std::array<Halves, 4> light;
-        for (std::size_t corner = 0; corner < 4; ++corner) light[corner] = halves_[entries[i].corners[corner]];
-        std::memcpy(&words[slots * words_of_a_name + slot_[i] * words_of_its_light], &light, sizeof light);
+        std::uint32_t* light = &words[slots * words_of_a_name + slot_[i] * words_of_its_light];
+        for (std::size_t corner = 0; corner < 4; ++corner) light[corner] = corners_[entries[i].corners[corner]];
     });
 }
 

@@ -17,7 +17,7 @@ struct FacetEntry {
 };
 
 /// The facets as shaders search them: open addressing, linear probing. First all names, two words each, upper half first, 0
-/// where a slot is empty; then all irradiances, six words each, so that a search reads names alone.
+/// where a slot is empty; then all irradiances, four words each, so that a search reads names alone.
 struct FacetTable {
     std::vector<std::uint32_t> words;
     std::uint32_t slots = 0;  ///< a power of two
@@ -30,10 +30,8 @@ struct FacetTable {
     void light(std::span<const FacetEntry> entries, std::span<const vec3> irradiance);
 
   private:
-    using Halves = std::array<std::uint16_t, 3>;
-
-    std::vector<Halves> halves_;  ///< of all irradiances
-    std::vector<std::uint32_t> slot_;  ///< of each entry
+    std::vector<std::uint32_t> corners_;  ///< words of all irradiances
+    std::vector<std::uint32_t> slot_;     ///< of each entry
 };
 
 }  // namespace sl
