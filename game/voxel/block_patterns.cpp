@@ -176,6 +176,12 @@ PatternTexel glowstone(std::uint32_t seed, int x, int y) {
     return {200 + core / 4 + (speckle(seed + 1, x, y) - 512) / 30, core};
 }
 
+PatternTexel lamp(std::uint32_t seed, int x, int y) {
+    const int from_edge = std::min({x, y, size - 1 - x, size - 1 - y});
+    if (from_edge == 0) return {150, 0};
+    return {250 + 4 * from_edge + (speckle(seed, x, y) - 512) / 40, from_edge > 2 ? 40 * (from_edge - 2) : 0};
+}
+
 PatternTexel metal(std::uint32_t seed, int x, int y) {
     const int brushed = (noise(seed, x, y, 8, 1) - 512) / 30;
     if (y == size - 1 || x == 0) return {274 + brushed / 2, 0};
@@ -210,6 +216,10 @@ constexpr std::array<LayerDesign, block_layer_count> designs{{
     {glowstone, {560, 300, 90}, {900, 740, 420}},
     {metal, {560, 570, 580}, {}},
     {metal, {900, 690, 300}, {}},
+    {lamp, {860, 40, 30}, {940, 150, 110}},
+    {lamp, {50, 760, 60}, {180, 900, 190}},
+    {lamp, {40, 110, 900}, {150, 230, 950}},
+    {lamp, {900, 380, 30}, {950, 520, 120}},
 }};
 
 }  // namespace

@@ -16,6 +16,10 @@ constexpr BlockInfo plain(std::string_view name, Layer layer, float roughness) {
     return {name, all(layer), roughness};
 }
 
+constexpr BlockInfo lamp(std::string_view name, Layer layer) {
+    return {.name = name, .layers = all(layer), .roughness = 0.9f, .emissive_nit = 4000.0f};
+}
+
 constexpr std::array<BlockInfo, block_count> table{{
     {.name = "air", .layers = all(Layer::dirt), .opaque = false},
     {.name = "grass", .layers = {Layer::grass_top, Layer::grass_side, Layer::dirt}, .roughness = 0.95f},
@@ -38,9 +42,13 @@ constexpr std::array<BlockInfo, block_count> table{{
     plain("red_wool", Layer::red_wool, 1.0f),
     plain("orange_wool", Layer::orange_wool, 1.0f),
     plain("black_wool", Layer::black_wool, 1.0f),
-    {.name = "glowstone", .layers = all(Layer::glowstone), .roughness = 0.9f, .emissive_nit = 4000.0f},
+    lamp("glowstone", Layer::glowstone),
     {.name = "iron", .layers = all(Layer::iron), .roughness = 0.4f, .metallic = 1.0f},
     {.name = "gold", .layers = all(Layer::gold), .roughness = 0.3f, .metallic = 1.0f},
+    lamp("red_lamp", Layer::red_lamp),
+    lamp("green_lamp", Layer::green_lamp),
+    lamp("blue_lamp", Layer::blue_lamp),
+    lamp("amber_lamp", Layer::amber_lamp),
 }};
 
 }  // namespace

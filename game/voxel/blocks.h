@@ -35,8 +35,12 @@ enum class Block : std::uint8_t {
     glowstone,
     iron,
     gold,
+    red_lamp,
+    green_lamp,
+    blue_lamp,
+    amber_lamp,
 };
-inline constexpr std::uint32_t block_count = 24;
+inline constexpr std::uint32_t block_count = 28;
 
 /// One picture of make_block_textures; the number is the layer of the texture array.
 enum class BlockLayer : std::uint8_t {
@@ -65,8 +69,12 @@ enum class BlockLayer : std::uint8_t {
     glowstone,
     iron,
     gold,
+    red_lamp,
+    green_lamp,
+    blue_lamp,
+    amber_lamp,
 };
-inline constexpr std::uint32_t block_layer_count = 25;
+inline constexpr std::uint32_t block_layer_count = 29;
 
 /// The three kinds of face that may look different: +y, the four sides, -y.
 enum class BlockFace : std::uint8_t { top, side, bottom };

@@ -17,9 +17,11 @@ struct Generator {
 using Volume = VoxelVolume;
 using Settings = GeneratorSettings;
 
-constexpr std::array<Generator, 7> generators{{
+constexpr std::array<Generator, 8> generators{{
     {"paper_world",
      [](Volume& volume, const Settings& settings) { generate_paper_world(volume, settings.seed); }},
+    {"crystal_valley",
+     [](Volume& volume, const Settings& settings) { generate_crystal_valley(volume, settings.seed); }},
     {"terrain", generate_terrain},
     {"creature", [](Volume& volume, const Settings&) { generate_creature(volume); }},
     {"tree_small",

@@ -19,6 +19,7 @@ std::span<const std::string_view> generator_names();
 
 /// Builds blocks into a volume, on top of what is there. The same settings give the same blocks everywhere.
 ///   paper_world       a village clearing between terraced hills, for 0.5 m blocks; see paper_world.h
+///   crystal_valley    a meadow with the five shrines of the game, for 0.5 m blocks; see crystal_valley.h
 ///   terrain           rolling hills without end, `size` wide round the origin
 ///   creature          a four-legged animal, 20 x 16 x 10 blocks, looking along +x, for 1/16 m blocks
 ///   tree_small        a bush-like tree, 16 x 24 x 16 blocks, for 1/16 m blocks
@@ -29,6 +30,7 @@ std::span<const std::string_view> generator_names();
 void generate(VoxelVolume& volume, std::string_view name, const GeneratorSettings& settings = {});
 
 void generate_paper_world(VoxelVolume& volume, std::uint32_t seed);
+void generate_crystal_valley(VoxelVolume& volume, std::uint32_t seed);
 void generate_terrain(VoxelVolume& volume, const GeneratorSettings& settings);
 void generate_creature(VoxelVolume& volume);
 void generate_tree_small(VoxelVolume& volume, std::uint32_t seed);

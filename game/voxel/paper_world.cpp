@@ -107,7 +107,7 @@ void generate_paper_world(VoxelVolume& volume, std::uint32_t seed) {
     build_ground(volume, seed);
     build_houses(volume);
     fill(volume, pillar, Block::log);
-    for (std::uint32_t number = 1; number < block_count; ++number) {
+    for (std::uint32_t number = 1; number <= row_kinds; ++number) {
         const ivec3 place = row_start + ivec3(static_cast<int>(number - 1) * row_step, 0, 0);
         volume.set(place, static_cast<Block>(number));
     }

@@ -53,9 +53,10 @@ inline constexpr BlockBox roof_hole{{-27, 8, -25}, {-24, 9, -22}};
 inline constexpr BlockBox pool_rim{{-32, -1, 8}, {-14, 0, 24}};
 inline constexpr BlockBox pool{{-30, -2, 10}, {-16, 0, 22}};  ///< y = -2 is water, y = -1 air above it
 
-/// One of each kind of block, number 1 (grass) first, every `row_step` blocks along +x.
+/// One of each of the first kinds of block, number 1 (grass) first, every `row_step` blocks along +x.
 inline constexpr ivec3 row_start{-22, 0, 30};
 inline constexpr int row_step = 2;
+inline constexpr std::uint32_t row_kinds = 23;
 
 /// The trees' feet.
 inline constexpr std::array<ivec3, 7> trees{{

@@ -76,6 +76,7 @@ class Walk {
         const Arriving glow = lit_by_emitters(vertex);
         out_.direct += glow.reflected;
         out_.irradiance_emission += glow.irradiance;
+        out_.irradiance_straight += glow.irradiance;
         if (world_.settings.bounces != 0) {
             const Arriving arriving = lit_by_light_paths(vertex, nullptr);
             out_.irradiance_lights += arriving.irradiance;
@@ -203,17 +204,25 @@ class Walk {
             irradiance += to_irradiance * arriving;
             radiance += to_eye * arriving;
         };
+        const auto add_straight = [&](vec3 arriving, int reflections) {
+            if (reflections == 0) out_.irradiance_straight += to_irradiance * arriving;
+        };
         Ray ray{.origin = first.point.origin_towards(direction), .direction = direction};
         vec3 carried(1.0f);
         for (int reflections = 0;; ++reflections) {
             vec3& radiance = reflections == 0 ? out_.direct : out_.indirect;
             const auto hit = intersect(ray);
-            if (!hit) return add(out_.irradiance_sky, radiance, carried * world_.sky);
+            if (!hit) {
+                add_straight(world_.sky, reflections);
+                return add(out_.irradiance_sky, radiance, carried * world_.sky);
+            }
             if (!hit->front) return;  // backs are black
             const SurfacePoint point = world_.scene.surface_at(*hit);
             if (point.emission != vec3(0.0f)) {
                 const float other = world_.emitters.path_density(*hit, point, ray.direction);
-                add(out_.irradiance_emission, radiance, carried * point.emission * (density * density / (density * density + other * other)));
+                const vec3 glow = carried * point.emission * (density * density / (density * density + other * other));
+                add_straight(glow, reflections);
+                add(out_.irradiance_emission, radiance, glow);
             }
             const int bounces = world_.settings.bounces;
             if (bounces != TransportSettings::until_converged && reflections >= bounces) return;

@@ -13,12 +13,15 @@ struct PathSample {
     vec3 irradiance_lights{0.0f};    ///< at the first surface, by reflected light of directional, spot and point lights
     vec3 irradiance_sky{0.0f};       ///< by the sky, straight or reflected
     vec3 irradiance_emission{0.0f};  ///< by glowing surfaces, straight or reflected
+    vec3 irradiance_straight{0.0f};  ///< of the last two, what comes without a reflection
     bool surface = false;            ///< there is a first surface
     std::uint32_t rays = 0;          ///< traced for it
 
     /// All that arrives at the first surface but what comes straight from directional, spot and point lights: what a GI
     /// method is asked for.
     vec3 irradiance() const { return irradiance_lights + irradiance_sky + irradiance_emission; }
+    /// Of that, what has been reflected at least once.
+    vec3 bounced_irradiance() const { return irradiance() - irradiance_straight; }
 };
 
 /// A ray as a path asked for it.

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <tbb/task_group.h>
+
+#include <optional>
+#include <unordered_map>
+
+#include "engine/render/trace/path_walk.h"
+
+namespace sl {
+
+/// Tells games how much light falls on a point, by the path tracer's own code: the same truth as a reference, without
+/// waiting for a graphics card. A few dozen paths per point and frame run on job threads between two calls of `update`;
+/// readings get better over frames while nothing changes, and follow within a few frames where something does.
+class LightMeter {
+  public:
+    struct Reading {
+        vec3 irradiance{0.0f};  ///< all but what comes straight from directional, spot and point lights, lux
+        vec3 bounced{0.0f};     ///< of that, what has been reflected at least once
+        float noise = 0.0f;     ///< standard error of `bounced` over itself, by luminance
+        std::uint32_t paths = 0;
+    };
+
+    LightMeter() = default;
+    ~LightMeter() noexcept;
+    LightMeter(const LightMeter&) = delete;
+    LightMeter& operator=(const LightMeter&) = delete;
+
+    /// The light that falls on a surface at a point of the world, m, with this unit normal; albedo does not matter. Nothing
+    /// until the next frame but one: asking is what has it measured, and what nobody asks for any more is forgotten. Asking
+    /// costs a look-up.
+    std::optional<Reading> irradiance_at(const dvec3& position, vec3 normal);
+
+    /// Once a frame: ends what the last call began, takes what has changed in the scene, and begins to follow paths.
+    /// Does nothing while nobody asks. Throws Error when the ray tracer does not start.
+    void update(const RenderScene& scene);
+
+  private:
+    struct Point {
+        dvec3 position;
+        vec3 normal;
+
+        bool operator==(const Point&) const = default;
+    };
+    struct Hash {
+        std::size_t operator()(const Point& point) const;
+    };
+    /// Sums over the paths of one frame.
+    struct Batch {
+        vec3 irradiance{0.0f}, bounced{0.0f};
+        std::uint32_t paths = 0;
+    };
+    struct Measured {
+        std::optional<Reading> reading;
+        float squares = 0.0f;       ///< mean over batches of the luminance of `bounced`, squared
+        std::uint32_t batches = 0;  ///< that the reading is the mean of, as far as they still count
+        std::uint32_t paths = 0;    ///< followed so far
+        std::uint32_t unasked = 0;  ///< frames
+        Batch batch;                ///< what jobs are about
+    };
+
+    void take_over_batches();
+    bool take(const RenderScene& scene);
+    void follow_paths(const Point& point, Measured& measured) const;
+
+    std::unordered_map<Point, Measured, Hash> points_;
+    std::unique_ptr<TransportWorld> world_;
+    dvec3 origin_{0.0};
+    std::uint64_t geometry_ = 0;
+    std::vector<RenderScene::Light> lights_;
+    vec3 sky_{0.0f};
+    bool moved_ = false;  ///< something was another in the last frame than before
+    tbb::task_group jobs_;
+};
+
+}  // namespace sl
