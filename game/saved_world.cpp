@@ -9,6 +9,7 @@
 #include "engine/core/log.h"
 #include "engine/ecs/components.h"
 #include "engine/ecs/query.h"
+#include "game/crystals/crystals.h"
 #include "game/session.h"
 #include "game/voxel_content.h"
 
@@ -18,6 +19,7 @@ namespace {
 
 constexpr double player_is_saved_every = 1.0;  // s
 constexpr const char* player_key = "player";
+constexpr const char* crystals_key = "crystals";
 
 std::string player_text(World& world, Entity camera) {
     const auto& place = world.get<Transform>(camera);
@@ -44,6 +46,23 @@ void place_player(World& world, Entity camera, const std::string& text) {
     place.rotation = glm::normalize(rotation);
 }
 
+/// Nothing where the text is no list of names.
+void wake_crystals(World& world, const std::string& text) {
+    const auto json = nlohmann::json::parse(text, nullptr, false);
+    if (!json.is_array()) return log::warn("the world does not tell which crystals are awake; all sleep");
+    for (auto [entity, crystal, name] : Query<Crystal, const Name>(world)) {
+        crystal.awake = crystal.awake || std::ranges::any_of(json, [&](const auto& one) { return one.is_string() && one.template get_ref<const std::string&>() == name.value; });
+    }
+}
+
+/// Saved where it differs from what was saved last.
+void save_changed(SavedWorld& saved, const char* key, std::string text) {
+    std::string& last = saved.texts[key];
+    if (text == last) return;
+    last = text;
+    saved.file->save_text(key, std::move(text));
+}
+
 }  // namespace
 
 std::filesystem::path worlds_folder() {
@@ -65,6 +84,7 @@ void attach_world(App& app, std::unique_ptr<WorldFile> file) {
     if (lost > 0) log::warn("{}: the scene {} has no place for {} changed blocks", file->path().string(), file->scene(), lost);
     const Entity camera = active_camera(world);
     if (const std::string player = file->text(player_key); camera && world.has<Transform>(camera) && !player.empty()) place_player(world, camera, player);
+    if (const std::string awake = file->text(crystals_key); !awake.empty()) wake_crystals(world, awake);
     saved.file = std::move(file);
     // From now on, and not what was just read.
     world.add_resource(EditJournal{});
@@ -83,10 +103,8 @@ void save_world(World& world) {
     const Entity camera = active_camera(world);
     if (saved.unsaved < player_is_saved_every || !camera || !world.has<Transform>(camera)) return;
     saved.unsaved = 0.0;
-    if (std::string text = player_text(world, camera); text != saved.player) {
-        saved.player = text;
-        saved.file->save_text(player_key, std::move(text));
-    }
+    if (world.find_resource<CrystalSearch>() != nullptr) save_changed(saved, crystals_key, nlohmann::json(awake_crystals(world)).dump());
+    save_changed(saved, player_key, player_text(world, camera));
 }
 
 }  // namespace sl

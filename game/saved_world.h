@@ -10,8 +10,8 @@ namespace sl {
 struct SavedWorld {
     std::unique_ptr<WorldFile> file;
     std::vector<Entity> volumes;  ///< voxel entities, by their numbers in the file
-    double unsaved = 0.0;         ///< s since the player was last looked at
-    std::string player;           ///< as last saved
+    double unsaved = 0.0;         ///< s since player and crystals were last looked at
+    std::map<std::string, std::string> texts;  ///< of them, as last saved
 };
 
 /// Where worlds lie that nobody gave a path: $XDG_DATA_HOME or ~/.local/share, and there secondlight/worlds; without a home,

@@ -15,6 +15,7 @@
 #include "engine/ecs/query.h"
 #include "engine/ecs/scene_file.h"
 #include "engine/ecs/set_field.h"
+#include "game/crystals/crystals.h"
 #include "game/gi_presets.h"
 #include "game/source_folder.h"
 #include "game/voxel_content.h"
@@ -91,6 +92,7 @@ void choose_gi(App& app, const std::string& gi) {
 App open_scene(const SceneChoice& choice) {
     App app;
     add_voxel_world(app);
+    add_crystals(app);
     app.world.add_resource(FrameClock{});
     read_scene(app.world, app.registry(), scene_path(choice.scene));
     if (!choice.gi.empty()) choose_gi(app, choice.gi);

@@ -8,6 +8,7 @@
 
 #include "engine/core/field_list.h"
 #include "game/app/hud_blocks.h"
+#include "game/app/hud_crystals.h"
 #include "game/block_tool.h"
 #include "game/notice.h"
 #include "game/saved_world.h"
@@ -33,6 +34,7 @@ constexpr const char* keys_text =
     "V             fly, and walk again;  E up, Q down\n"
     "Ctrl+wheel    speed of flight\n"
     "F             flashlight\n"
+    "T             hint for the nearest crystal\n"
     "G             next GI method\n"
     "O             GI off and on\n"
     "[ ]           sun round (or left, right)\n"
@@ -143,6 +145,7 @@ void draw_hud(App& app, const HudInput& input) {
         draw_block_outline(app.world);
         crosshair(centre);
         draw_hotbar(app.world);
+        draw_crystal_search(app.world);
     }
     if (!input.shader_errors.empty()) {
         TextBox box;

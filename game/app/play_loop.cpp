@@ -4,6 +4,7 @@
 #include "engine/core/log.h"
 #include "engine/render/pass_times.h"
 #include "engine/render/scene/extract.h"
+#include "engine/render/trace/light_meter.h"
 #include "game/app/play.h"
 #include "game/block_tool.h"
 #include "game/flashlight.h"
@@ -32,6 +33,7 @@ App open_game(PlaySettings settings) {
     add_fly_camera(app);
     add_player(app);
     add_flashlight(app);
+    app.world.emplace_resource<LightMeter>();
     if (file) attach_world(app, std::move(file));
     return app;
 }
@@ -166,6 +168,7 @@ void Play::capture_on_click(Input& input) {
 void Play::render(uvec2 window_size) {
     if (failure_) return;
     extract(app_.world, scene_);
+    app_.world.resource<LightMeter>().update(scene_);
     picture_size_ = glm::max(uvec2(dvec3(window_size, 0) * settings_.render_scale), uvec2(1));
     const auto frame = static_cast<std::uint32_t>(app_.world.resource<FrameClock>().frame);
     renderer_->executor().set_timing(true);

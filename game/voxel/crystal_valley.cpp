@@ -19,7 +19,7 @@ using namespace crystal_valley;
 int ground_height(std::uint32_t seed, int x, int z) {
     const int out = std::max(std::abs(2 * x + 1), std::abs(2 * z + 1)) / 2 - meadow_half;
     if (out < 0) return 0;
-    return std::clamp(out / 2 + value_noise(seed, x, z, 9, 9) / 200 + value_noise(seed + 1, x, z, 4, 4) / 400, 0, 14);
+    return std::clamp(1 + out / 2 + (value_noise(seed, x, z, 14, 14) - 300) / 90, 0, 14);
 }
 
 void build_ground(VoxelVolume& volume, std::uint32_t seed) {
@@ -58,7 +58,7 @@ void build_dawn(VoxelVolume& volume) {
 void build_ember(VoxelVolume& volume) {
     build_hall(volume, {16, 0, -29}, {28, 7, -17}, Block::white_wool);
     volume.fill({15, 0, -24}, {16, 4, -22}, Block::air);
-    volume.fill({19, 7, -25}, {24, 8, -21}, Block::air);
+    volume.fill({20, 7, -25}, {23, 8, -23}, Block::air);
 }
 
 /// All orange, round a yellow lamp: neither of them gives any blue.
@@ -84,7 +84,7 @@ void build_dusk(VoxelVolume& volume) {
     build_hall(volume, {-40, 0, -30}, {-32, 6, -20}, Block::white_wool);
     volume.fill({-32, 0, -26}, {-31, 4, -24}, Block::air);
     volume.fill({-26, 0, -18}, {-24, 4, -17}, Block::air);
-    volume.fill({-28, 7, -27}, {-23, 8, -22}, Block::air);
+    volume.fill({-27, 7, -26}, {-24, 8, -24}, Block::air);
 }
 
 constexpr std::array<ivec3, 8> trees{{{-14, 0, -8}, {12, 0, 8}, {-10, 0, 26}, {34, 0, -6}, {-36, 0, 6}, {6, 0, 36}, {36, 0, 34}, {-36, 0, 34}}};

@@ -10,7 +10,7 @@ namespace sl {
 namespace {
 
 using Kind = Shape::Kind;
-constexpr std::array all_kinds{Kind::box, Kind::quad, Kind::disc, Kind::sphere};
+constexpr std::array all_kinds{Kind::box, Kind::quad, Kind::disc, Kind::sphere, Kind::octahedron};
 
 struct Triangle {
     std::array<Vertex, 3> corners;

@@ -86,6 +86,17 @@ void add_sphere(MeshData& mesh, vec3 half) {
     }
 }
 
+void add_octahedron(MeshData& mesh, vec3 half) {
+    for (int octant = 0; octant < 8; ++octant) {
+        const vec3 side((octant & 1) != 0 ? -1.0f : 1.0f, (octant & 2) != 0 ? -1.0f : 1.0f, (octant & 4) != 0 ? -1.0f : 1.0f);
+        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+        const vec3 normal = ellipsoid_normal(glm::normalize(side), half);
+        for (int axis = 0; axis < 3; ++axis) add_vertex(mesh, along(axis, side[axis] * half[axis]), normal, axis == 0 ? vec2(0, 0) : axis == 1 ? vec2(1, 0) : vec2(0.5f, 1.0f));
+        const bool turned = side.x * side.y * side.z < 0.0f;
+        add_triangle(mesh, first, first + (turned ? 2 : 1), first + (turned ? 1 : 2));
+    }
+}
+
 }  // namespace
 
 MeshData make_shape_mesh(const Shape& shape) {
@@ -105,6 +116,9 @@ MeshData make_shape_mesh(const Shape& shape) {
             break;
         case Shape::Kind::sphere:
             add_sphere(mesh, half);
+            break;
+        case Shape::Kind::octahedron:
+            add_octahedron(mesh, half);
             break;
     }
     return mesh;
