@@ -32,7 +32,8 @@ Renderer::Result Renderer::render(const RenderScene& scene, const Request& reque
                            .width = request.width,
                            .height = request.height,
                            .slice_budget = request.slice_budget,
-                           .gi_gpu_seconds = 1e-3 * gi_milliseconds(executor_.timers().newest())};
+                           .gi_gpu_seconds = 1e-3 * gi_milliseconds(executor_.timers().newest()),
+                           .seconds = request.seconds};
     images_ = build_frame(frame);
     result.images = images_;
     graph_.want(result.images.final);

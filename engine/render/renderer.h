@@ -17,6 +17,7 @@ class Renderer {
         std::uint32_t width = 640;
         std::uint32_t height = 360;
         std::uint32_t frame_index = 0;
+        float seconds = 1.0f / 60.0f;       ///< since the last frame
         std::uint32_t slice_budget = ~0u;   ///< steps of sliced work per frame
         std::vector<std::string> wanted{};  ///< images to keep readable besides the final one
         std::vector<std::string> wanted_if_there{};  ///< the same, but a frame without them is no error

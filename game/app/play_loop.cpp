@@ -176,6 +176,7 @@ void Play::render(uvec2 window_size) {
         result_ = renderer_->render(scene_, {.width = picture_size_.x,
                                              .height = picture_size_.y,
                                              .frame_index = frame,
+                                             .seconds = static_cast<float>(app_.world.resource<FrameClock>().step),
                                              .slice_budget = budget_.slices()});
     } catch (const Error& error) {
         // A shader that was never good. What the frame left half done goes with the renderer.

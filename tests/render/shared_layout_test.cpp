@@ -6,6 +6,7 @@
 #include <fstream>
 #include <map>
 
+#include "shared/exposure.h"
 #include "shared/facets.h"
 #include "shared/frame.h"
 #include "shared/lights.h"
@@ -45,6 +46,7 @@ const std::vector<SharedStruct>& shared_structs() {
         {"Incident", "lights", sizeof(Incident), {MEMBER(Incident, to_light), MEMBER(Incident, irradiance)}},
         {"Surface", "brdf", sizeof(Surface), {MEMBER(Surface, base_colour), MEMBER(Surface, normal), MEMBER(Surface, specular)}},
         {"RsmPackedTexel", "rsm", sizeof(RsmPackedTexel), {MEMBER(RsmPackedTexel, position), MEMBER(RsmPackedTexel, light)}},
+        {"ExposureParams", "exposure", sizeof(ExposureParams), {MEMBER(ExposureParams, adapt)}},
         {"FacetParams", "facets", sizeof(FacetParams), {MEMBER(FacetParams, grid), MEMBER(FacetParams, table)}},
         {"FacetCell", "facets", sizeof(FacetCell), {MEMBER(FacetCell, name), MEMBER(FacetCell, within)}},
         {"RsmTexel", "rsm", sizeof(RsmTexel), {MEMBER(RsmTexel, position), MEMBER(RsmTexel, normal), MEMBER(RsmTexel, flux)}},

@@ -10,6 +10,7 @@ struct Camera {
     float fov_y = 1.0472f;
     float near = 0.02f;
     float ev100 = 12.0f;
+    bool auto_exposure = false;
     bool antialias = true;
     bool active = true;
 };
@@ -25,6 +26,8 @@ inline void visit_fields(FieldVisitor& visit, Camera& camera) {
     visit.field("ev100", camera.ev100,
                 {.min = -10, .max = 24, .unit = "EV",
                  .help = "Exposure value at ISO 100; one more halves the brightness. Sunny day 15, lit room 7."});
+    visit.field("auto_exposure", camera.auto_exposure,
+                {.help = "Follows the picture's brightness round ev100 as eyes do, in seconds; off keeps pictures comparable."});
     visit.field("antialias", camera.antialias, {.help = "Smooths edges of the tonemapped picture; costs one full-screen pass."});
     visit.field("active", camera.active, {.help = "The first active camera is the one rendered."});
 }

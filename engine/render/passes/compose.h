@@ -8,7 +8,7 @@ namespace sl {
 /// Radiance towards the camera (nit, rgba32f). `irradiance` may be of any size from 1×1; it is read per pixel, clamped.
 ImageId compose(const FrameInput& frame, const GBuffer& gbuffer, ImageId direct, ImageId irradiance);
 
-/// Exposes and applies the filmic curve: rgba8, sRGB-encoded, luma in alpha.
+/// Exposes, as the camera says or as the picture asks for, and applies the filmic curve: rgba8, sRGB-encoded, luma in alpha.
 ImageId tonemap(const FrameInput& frame, ImageId hdr);
 
 /// Smooths edges of the tonemapped picture.

@@ -23,6 +23,7 @@ struct FrameInput {
     std::uint32_t slice_budget = ~0u;
     /// What the passes for GI took on the GPU when that was last known; 0 where nobody times them.
     double gi_gpu_seconds = 0.0;
+    float seconds = 1.0f / 60.0f;  ///< since the last frame
 
     TextureDesc screen(Format format) const { return {.width = width, .height = height, .format = format}; }
 };

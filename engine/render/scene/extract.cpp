@@ -35,6 +35,7 @@ void extract_view(World& world, RenderScene& scene) {
                                        .fov_y = camera.fov_y,
                                        .near = camera.near,
                                        .ev100 = camera.ev100,
+                                       .auto_exposure = camera.auto_exposure,
                                        .antialias = camera.antialias};
         if (const auto* gi = world.find<GiSettings>(entity)) scene.gi = *gi;
         return;

@@ -20,6 +20,7 @@ struct RenderScene {
         float fov_y = 1.0f;  ///< rad
         float near = 0.02f;  ///< m
         float ev100 = 12.0f;
+        bool auto_exposure = false;
         bool antialias = true;
 
         /// Multiplies nit: 1 / (1.2 · 2^EV100) (ISO 2720).

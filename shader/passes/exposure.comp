@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Mean of the logarithm of luminance over a grid of pixels, the middle of the picture first; and one step towards the
+// exposure that it asks for.
+#include "shared/exposure.h"
+
+layout(local_size_x = 16, local_size_y = 16) in;
+layout(std140) uniform Params { ExposureParams params; };
+layout(std430) buffer Exposure { float ev; };
+uniform sampler2D hdr;
+
+const uint samples = 3u;  // per invocation and axis
+shared vec2 sums[256];    // weighted logarithm, weight
+
+void main() {
+    vec2 sum = vec2(0.0);
+    for (uint i = 0u; i < samples * samples; ++i) {
+        vec2 at = (vec2(gl_LocalInvocationID.xy * samples + uvec2(i % samples, i / samples)) + 0.5) / float(16u * samples);
+        float light = dot(texelFetch(hdr, ivec2(at * vec2(textureSize(hdr, 0))), 0).rgb, vec3(0.2126, 0.7152, 0.0722));
+        vec2 off = at - 0.5;
+        float weight = exp2(-8.0 * dot(off, off));
+        // What is black as night says nothing, and what is no number would stay for ever.
+        if (light > 1e-6 && light < 1e9) sum += weight * vec2(log2(light), 1.0);
+    }
+    uint mine = gl_LocalInvocationIndex;
+    sums[mine] = sum;
+    for (uint half_way = 128u; half_way > 0u; half_way /= 2u) {
+        barrier();
+        if (mine < half_way) sums[mine] += sums[mine + half_way];
+    }
+    barrier();
+    if (mine != 0u || sums[0].y <= 0.0) return;
+    float wanted = adapted_ev(sums[0].x / sums[0].y, params);
+    ev = params.adapt.x < 1.0 ? mix(ev, wanted, params.adapt.x) : wanted;
+}

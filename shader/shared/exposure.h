@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "shared/prelude.h"
+
+SHARED_BEGIN
+
+/// How a camera's exposure follows the picture.
+struct ExposureParams {
+    vec4 adapt;  ///< x: share of the way that this frame goes; y: EV that stays as it is; z, w: least and greatest EV
+};
+
+/// 1 / (1.2 · 2^EV100), as cameras define it (ISO 2720).
+SHARED_FN float exposure_of(float ev100) { return exp2(-ev100) / 1.2f; }
+
+/// The EV at which reflected-light meters expose a mean luminance, nit (ISO 2720, K = 12.5: log2(100 / K) = 3), less what the
+/// filmic curve darkens mid-grey; and a fifth less far from what stays as it is: dark rooms are seen, and seen to be dark.
+SHARED_FN float adapted_ev(float log2_luminance, ExposureParams params) {
+    float metered = log2_luminance + 2.3f;
+    return clamp(params.adapt.y + 0.8f * (metered - params.adapt.y), params.adapt.z, params.adapt.w);
+}
+
+SHARED_END
