@@ -22,6 +22,7 @@ ImguiLayer::ImguiLayer(const Window& window) : scale_(window.content_scale()) {
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
     io.LogFilename = nullptr;
+    io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     ImFontConfig font;
     font.SizePixels = std::round(font_pixels * scale_);
     io.Fonts->AddFontDefault(&font);
