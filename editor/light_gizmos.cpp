@@ -11,7 +11,7 @@ namespace {
 
 constexpr ImU32 strong = IM_COL32(255, 215, 90, 230), faint = IM_COL32(255, 215, 90, 120);
 /// For lights that reach without end, m.
-constexpr double shown_reach = 5.0, shown_radius = 0.25;
+constexpr double shown_reach = 2.0, shown_radius = 0.25;
 /// How far before the camera the arrows of sunlight are, and how long, m.
 constexpr double sun_distance = 4.0, sun_length = 1.5;
 constexpr int circle_sides = 48;

@@ -44,7 +44,7 @@ void gi_section(const EditedScene& scene, Entity camera) {
 void disc_figures(const RsmDisc& disc, double refined) {
     const double low_pixels = 1.0 / (double(disc.low_resolution) * disc.low_resolution);
     const double samples = disc.samples * (disc.interpolate ? refined + low_pixels : 1.0);
-    ImGui::Text("%.1f %% of pixels gathered in full, %.1f samples per pixel", 100.0 * refined, samples);
+    ImGui::TextWrapped("%.1f %% of pixels gathered in full, %.1f samples per pixel", 100.0 * refined, samples);
 }
 
 void gi_times(const FrameReport& report, const GiSettings* settings, LightTab& state) {
