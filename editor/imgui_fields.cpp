@@ -130,79 +130,68 @@ bool degrees(T& radians, const FieldInfo& info) {
 
 void ImguiFields::field(std::string_view name, bool& value, const FieldInfo& info) {
     const Row row(name, info.unit, info);
-    changed_ |= ImGui::Checkbox("##value", &value);
-    ++rows_;
+    note(name, ImGui::Checkbox("##value", &value));
 }
 
 void ImguiFields::field(std::string_view name, std::int32_t& value, const FieldInfo& info) {
     const Row row(name, info.unit, info);
-    changed_ |= numbers(&value, 1, info);
-    ++rows_;
+    note(name, numbers(&value, 1, info));
 }
 
 void ImguiFields::field(std::string_view name, std::uint32_t& value, const FieldInfo& info) {
     const Row row(name, info.unit, info);
-    changed_ |= numbers(&value, 1, info);
-    ++rows_;
+    note(name, numbers(&value, 1, info));
 }
 
 void ImguiFields::field(std::string_view name, float& value, const FieldInfo& info) {
     const bool angle = info.look == FieldLook::angle;
     const Row row(name, angle ? "deg" : info.unit, info);
-    changed_ |= angle ? degrees(value, info) : numbers(&value, 1, info);
-    ++rows_;
+    note(name, angle ? degrees(value, info) : numbers(&value, 1, info));
 }
 
 void ImguiFields::field(std::string_view name, double& value, const FieldInfo& info) {
     const bool angle = info.look == FieldLook::angle;
     const Row row(name, angle ? "deg" : info.unit, info);
-    changed_ |= angle ? degrees(value, info) : numbers(&value, 1, info);
-    ++rows_;
+    note(name, angle ? degrees(value, info) : numbers(&value, 1, info));
 }
 
 void ImguiFields::field(std::string_view name, vec2& value, const FieldInfo& info) {
     const Row row(name, info.unit, info);
-    changed_ |= numbers(&value.x, 2, info);
-    ++rows_;
+    note(name, numbers(&value.x, 2, info));
 }
 
 void ImguiFields::field(std::string_view name, vec3& value, const FieldInfo& info) {
     const Row row(name, info.unit, info);
-    changed_ |= info.look == FieldLook::colour ? colour(value, info) : numbers(&value.x, 3, info);
-    ++rows_;
+    note(name, info.look == FieldLook::colour ? colour(value, info) : numbers(&value.x, 3, info));
 }
 
 void ImguiFields::field(std::string_view name, dvec3& value, const FieldInfo& info) {
     const Row row(name, info.unit, info);
-    changed_ |= numbers(&value.x, 3, info);
-    ++rows_;
+    note(name, numbers(&value.x, 3, info));
 }
 
 void ImguiFields::field(std::string_view name, quat& value, const FieldInfo& info) {
     const Row row(name, "yaw pitch roll, deg", info);
-    changed_ |= edit_rotation(value);
-    ++rows_;
+    note(name, edit_rotation(value));
 }
 
 void ImguiFields::field(std::string_view name, std::string& value, const FieldInfo& info) {
     const Row row(name, info.unit, info);
-    changed_ |= ImGui::InputText("##value", &value);
-    ++rows_;
+    note(name, ImGui::InputText("##value", &value));
 }
 
 void ImguiFields::choice(std::string_view name, std::size_t& index, std::span<const std::string_view> names,
                          const FieldInfo& info) {
     const Row row(name, info.unit, info);
-    ++rows_;
+    const std::size_t before = index;
     const std::string shown(index < names.size() ? names[index] : "");
-    if (!ImGui::BeginCombo("##value", shown.c_str())) return;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        if (ImGui::Selectable(std::string(names[i]).c_str(), i == index) && i != index) {
-            index = i;
-            changed_ = true;
+    if (ImGui::BeginCombo("##value", shown.c_str())) {
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            if (ImGui::Selectable(std::string(names[i]).c_str(), i == before)) index = i;
         }
+        ImGui::EndCombo();
     }
-    ImGui::EndCombo();
+    note(name, index != before);
 }
 
 FieldTable::FieldTable(const char* id) : open_(ImGui::BeginTable(id, 2, ImGuiTableFlags_SizingStretchProp)) {

@@ -23,11 +23,18 @@ class ImguiFields final : public FieldVisitor {
     void choice(std::string_view name, std::size_t& index, std::span<const std::string_view> names,
                 const FieldInfo& info) override;
 
-    bool changed() const { return changed_; }
+    bool changed() const { return !changed_field_.empty(); }
+    /// The name of the field that a person changed; empty where nobody did.
+    const std::string& changed_field() const { return changed_field_; }
     std::size_t rows() const { return rows_; }
 
   private:
-    bool changed_ = false;
+    void note(std::string_view name, bool changed) {
+        if (changed) changed_field_ = name;
+        ++rows_;
+    }
+
+    std::string changed_field_;
     std::size_t rows_ = 0;
 };
 

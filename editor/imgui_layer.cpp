@@ -22,6 +22,7 @@ ImguiLayer::ImguiLayer(const Window& window) : scale_(window.content_scale()) {
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
     io.LogFilename = nullptr;
+    io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     ImFontConfig font;
     font.SizePixels = std::round(font_pixels * scale_);
     io.Fonts->AddFontDefault(&font);
@@ -30,6 +31,7 @@ ImguiLayer::ImguiLayer(const Window& window) : scale_(window.content_scale()) {
     ImGui::GetStyle().ScaleAllSizes(scale_);
     // Chains the window's own callbacks, which are there already.
     ImGui_ImplGlfw_InitForOpenGL(window.native(), true);
+    taps_.emplace(window.native());
     ImGui_ImplOpenGL3_Init("#version 450 core");
 }
 
@@ -49,6 +51,7 @@ void ImguiLayer::begin(Input& input) {
     }
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
+    taps_->hold();
     ImGui::NewFrame();
     if (io.WantCaptureKeyboard) input.ignore_keys();
     if (io.WantCaptureMouse) input.ignore_mouse();
@@ -56,6 +59,7 @@ void ImguiLayer::begin(Input& input) {
 
 void ImguiLayer::draw() {
     ImGui::Render();
+    taps_->release();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 
@@ -65,6 +69,7 @@ bool ImguiLayer::has_keyboard() {
 
 void ImguiLayer::skip() {
     ImGui::EndFrame();
+    taps_->release();
 }
 
 }  // namespace sl

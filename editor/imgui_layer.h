@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+
+#include "editor/key_taps.h"
 #include "engine/core/window.h"
 
 namespace sl {
@@ -29,6 +32,7 @@ class ImguiLayer {
 
   private:
     float scale_ = 1.0f;
+    std::optional<KeyTaps> taps_;
 };
 
 }  // namespace sl

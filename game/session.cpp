@@ -70,13 +70,6 @@ std::filesystem::path scene_path(const std::string& scene) {
     fail("{}, or give the path of a scene file", no_such_name("scene", scene, names));
 }
 
-Entity active_camera(World& world) {
-    for (auto [entity, camera] : Query<const Camera>(world)) {
-        if (camera.active) return entity;
-    }
-    return {};
-}
-
 void choose_gi(App& app, const std::string& gi) {
     const std::size_t colon = gi.find(':');
     const GiSettings settings{make_gi_method(gi.substr(0, colon))};

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/ecs/active_camera.h"
 #include "engine/ecs/app.h"
 #include "engine/ecs/components.h"
 
@@ -19,9 +20,6 @@ struct SceneChoice {
 
 /// An engine with the game's plugins, holding the chosen scene, its systems run once. Throws Error.
 App open_scene(const SceneChoice& choice);
-
-/// The entity of the camera that is rendered; null when there is none.
-Entity active_camera(World& world);
 
 /// Puts a GI method on the active camera and on all that have one: "method" or "method:preset". Throws Error naming the choices.
 void choose_gi(App& app, const std::string& gi);

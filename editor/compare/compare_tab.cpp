@@ -2,6 +2,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "editor/compare/compare_view.h"
 #include "engine/measure/heat_map.h"
@@ -44,7 +45,10 @@ void figure(const char* name, const std::string& value, const char* help) {
 
 void figures_table(const CompareFigures& figures) {
     if (!ImGui::BeginTable("figures", 3, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_RowBg)) return;
-    figure("NRMSE", fmt::format("{:.1f} %", 100.0 * figures.irradiance.nrmse), "of indirect light");
+    const double both = figures.irradiance.nrmse, noise = figures.truth_noise;
+    figure("NRMSE", fmt::format("{:.1f} %", 100.0 * both), "of indirect light");
+    // Errors of the two are independent, so that their squares add.
+    figure("", both > noise ? fmt::format("{:.1f} %", 100.0 * std::sqrt(both * both - noise * noise)) : "hidden", "of that not by the reference's noise");
     figure("bias", fmt::format("{:+.1f} %", 100.0 * figures.irradiance.bias), "of indirect light");
     figure("FLIP", fmt::format("{:.3f}", figures.flip), "of the shown picture");
     figure("noise", fmt::format("{:.1f} %", 100.0 * figures.truth_noise), "of the reference itself");

@@ -11,6 +11,8 @@ namespace sl {
 namespace {
 
 constexpr double seconds_between_figures = 1.0, seconds_per_blink = 0.7;
+/// Noise of the reference's irradiance at which it is done: a twentieth tells methods apart, and a tenth of that takes days.
+constexpr double truth_noise = 0.05;
 /// Relative error that has the brightest colour of the error map.
 constexpr float top_error = 1.0f;
 
@@ -51,7 +53,7 @@ void CompareView::update(const RenderScene& scene, const Renderer::Request& requ
 
 void CompareView::follow_reference(const RenderScene& scene, uvec2 size, double seconds) {
     // Through the middles of pixels, as the rasterizer's are: then the light can be compared pixel by pixel.
-    if (reference_ == nullptr) reference_ = std::make_unique<LiveReference>(TransportSettings{.pixel_area = false});
+    if (reference_ == nullptr) reference_ = std::make_unique<LiveReference>(TransportSettings{.pixel_area = false}, truth_noise);
     reference_->follow(scene, size, seconds);
     const auto newest = reference_->picture();
     if (newest == shown_reference_) return;

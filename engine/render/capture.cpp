@@ -6,8 +6,9 @@
 
 #include "engine/core/clock.h"
 #include "engine/core/error.h"
+#include "engine/render/image_layers.h"
+#include "engine/render/refined_share.h"
 #include "engine/render/scene/extract.h"
-#include "shared/octahedral.h"
 
 namespace sl {
 
@@ -27,45 +28,7 @@ ShownImage parse_show(const std::string& text) {
     return shown;
 }
 
-ImageLayer layer_of(const Renderer& renderer, const std::string& name, const std::string& image) {
-    return {name, renderer.read(renderer.find_image(image))};
-}
-
-Image without_alpha(const Image& image) {
-    Image result(image.width, image.height, 3);
-    for (std::size_t i = 0; i < std::size_t{image.width} * image.height; ++i) {
-        for (std::size_t c = 0; c < 3; ++c) result.data[i * 3 + c] = image.data[i * image.channels + c];
-    }
-    return result;
-}
-
-/// Without indirect light a frame holds one black pixel of it; a capture shows a black picture.
-Image at_least(Image image, const CaptureSettings& settings) {
-    const bool single = image.width == 1 && image.height == 1;
-    return single ? Image(settings.width, settings.height, image.channels) : image;
-}
-
-std::vector<ImageLayer> read_layers(const Renderer& renderer, const FrameOutput& images, const CaptureSettings& settings) {
-    std::vector<ImageLayer> layers;
-    layers.push_back({"", without_alpha(renderer.read(images.hdr))});
-    layers.push_back({"direct", without_alpha(renderer.read(images.direct))});
-    layers.push_back({"irradiance", without_alpha(at_least(renderer.read(images.irradiance), settings))});
-    layers.push_back({"albedo", without_alpha(renderer.read(images.gbuffer.albedo))});
-    layers.push_back({"normal", decoded_normals(renderer.read(images.gbuffer.normal))});
-    layers.push_back(layer_of(renderer, "depth", "depth"));
-    return layers;
-}
-
 }  // namespace
-
-Image decoded_normals(const Image& encoded) {
-    Image result(encoded.width, encoded.height, 3);
-    for (std::size_t i = 0; i < std::size_t{encoded.width} * encoded.height; ++i) {
-        const vec3 n = octahedral_decode(vec2(encoded.data[i * 2], encoded.data[i * 2 + 1]) * 2.0f - 1.0f);
-        for (int c = 0; c < 3; ++c) result.data[i * 3 + static_cast<std::size_t>(c)] = n[c];
-    }
-    return result;
-}
 
 Capture capture(App& app, Renderer& renderer, const CaptureSettings& settings) {
     Capture result;
@@ -83,9 +46,8 @@ Capture capture(App& app, Renderer& renderer, const CaptureSettings& settings) {
         if (last) {
             request.on_step = settings.on_step;
             if (!shown.name.empty()) request.wanted.push_back(shown.name);
-            if (settings.layers) request.wanted.insert(request.wanted.end(), {"hdr", "direct", "albedo", "normal", "depth"});
-            request.want_irradiance = settings.layers;
-            if (settings.keep_refined) request.wanted_if_there.push_back("refined");
+            if (settings.layers) want_linear_layers(request);
+            if (settings.keep_refined) request.wanted_if_there.push_back(refined_image);
         }
         result.result = renderer.render(scene, request);
     }
@@ -101,12 +63,12 @@ Capture capture(App& app, Renderer& renderer, const CaptureSettings& settings) {
         const ImageId image = renderer.find_image(shown.name);
         const std::uint32_t layers = std::max(renderer.graph().resources()[image.index].image.layers, 1u);
         if (shown.layer >= layers) fail("--show: '{}' has {} layers, counted from 0", shown.name, layers);
-        const Image raw = at_least(renderer.read(image, shown.layer), settings);
+        const Image raw = at_least(renderer.read(image, shown.layer), uvec2(settings.width, settings.height));
         result.picture = displayable(shown.name, raw, exposure);
         const bool screen_sized = raw.width == settings.width && raw.height == settings.height;
         if (!settings.layers || !screen_sized) result.layers.push_back({shown.name, raw});
     }
-    if (settings.layers && (shown.name.empty() || result.layers.empty())) result.layers = read_layers(renderer, result.result.images, settings);
+    if (settings.layers && (shown.name.empty() || result.layers.empty())) result.layers = linear_layers(renderer, result.result.images);
     return result;
 }
 

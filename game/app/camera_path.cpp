@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "engine/core/error.h"
-#include "engine/render/capture.h"
+#include "engine/render/image_layers.h"
 #include "engine/render/reference/reference.h"
 #include "engine/render/scene/extract.h"
 #include "game/app/bench_window.h"

@@ -2,6 +2,7 @@
 #include "engine/core/error.h"
 #include "engine/core/log.h"
 #include "engine/render/capture.h"
+#include "engine/render/refined_share.h"
 #include "game/app/headless.h"
 #include "game/app/progress.h"
 #include "game/voxel_content.h"
@@ -29,12 +30,7 @@ void print_stats(App& app, Headless& headless, const Capture& captured) {
     fmt::print("{:<28}{}\n", "visible faces, merged quads", fmt::format("{}, {}", voxels.total.visible_faces, voxels.total.quads));
     fmt::print("{:<28}{:.1f} MiB\n", "meshes and textures", static_cast<double>(headless.renderer.gpu_bytes()) / 1048576.0);
     fmt::print("{:<28}{} ({})\n", "renderer", headless.context->renderer(), headless.context->version());
-    if (const ImageId refined = headless.renderer.find_image("refined")) {
-        const Image image = headless.renderer.read(refined);
-        double sum = 0.0;
-        for (std::size_t i = 0; i < image.data.size(); i += image.channels) sum += image.data[i];
-        fmt::print("{:<28}{:.2f} %\n", "pixels gathered in full", 100.0 * sum / (double(image.width) * image.height));
-    }
+    if (const auto share = refined_share(headless.renderer)) fmt::print("{:<28}{:.2f} %\n", "pixels gathered in full", 100.0 * *share);
     for (const gl::SpanTime& pass : headless.renderer.executor().finished_timings()) {
         fmt::print("{:<28}{:.2f} ms\n", pass.name, pass.milliseconds);
     }

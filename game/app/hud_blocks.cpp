@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "editor/projection.h"
 #include "engine/ecs/components.h"
 #include "game/block_tool.h"
 #include "game/session.h"
@@ -38,26 +39,6 @@ void picture_of(const TextureLayers& textures, Block block, ImVec2 at, float siz
         }
     }
 }
-
-/// Where points are on the screen; nothing behind the camera.
-class Projection {
-  public:
-    Projection(const Camera& camera, const WorldTransform& place) : place_(place), near_(camera.near) {
-        const ImGuiViewport& screen = *ImGui::GetMainViewport();
-        centre_ = screen.GetCenter();
-        focal_ = 0.5f * screen.Size.y / std::tan(0.5f * camera.fov_y);
-    }
-    std::optional<ImVec2> operator()(const dvec3& point) const {
-        const vec3 from_eye = glm::transpose(place_.linear) * vec3(point - place_.origin);
-        if (-from_eye.z <= near_) return std::nullopt;
-        return ImVec2(centre_.x - focal_ * from_eye.x / from_eye.z, centre_.y + focal_ * from_eye.y / from_eye.z);
-    }
-
-  private:
-    WorldTransform place_;
-    float near_, focal_ = 1.0f;
-    ImVec2 centre_;
-};
 
 }  // namespace
 
@@ -100,8 +81,7 @@ void draw_block_outline(World& world) {
             from[v] = side >> 1;
             ivec3 to = from;
             to[axis] = 1;
-            const auto a = project(corner(from.x, from.y, from.z)), b = project(corner(to.x, to.y, to.z));
-            if (a && b) ImGui::GetBackgroundDrawList()->AddLine(*a, *b, outline, 1.5f);
+            project.line(corner(from.x, from.y, from.z), corner(to.x, to.y, to.z), outline, 1.5f);
         }
     }
 }

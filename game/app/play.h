@@ -44,7 +44,9 @@ class Play {
     bool worth_trying_again();
     void reload_shaders();
     void show(uvec2 window_size);
-    void save_picture();
+    void show_compared(uvec2 window_size);
+    FrameReport panel_report();
+    void save_picture(PictureFormat format);
 
     PlaySettings settings_;
     App app_;
@@ -70,7 +72,7 @@ class Play {
     };
     std::optional<Failure> failure_;
     bool help_ = false;
-    bool save_wanted_ = false;
+    std::optional<double> refined_;  ///< as it was read last, for the panel
     bool recapture_ = false;  ///< the panel freed the mouse and gives it back
 };
 

@@ -2,9 +2,12 @@
 #include "engine/core/clock.h"
 #include "engine/core/error.h"
 #include "engine/core/log.h"
+#include "engine/render/image_layers.h"
 #include "engine/render/pass_times.h"
+#include "engine/render/refined_share.h"
 #include "engine/render/scene/extract.h"
 #include "engine/render/trace/light_meter.h"
+#include "game/app/picture_file.h"
 #include "game/app/play.h"
 #include "game/block_tool.h"
 #include "game/flashlight.h"
@@ -49,15 +52,6 @@ std::filesystem::file_time_type newest_change(const std::filesystem::path& folde
 
 std::size_t method_index(const RenderScene& scene) {
     return scene.gi ? scene.gi->method.index() : 0;
-}
-
-std::filesystem::path free_picture_path() {
-    const std::filesystem::path folder = "out";
-    std::filesystem::create_directories(folder);
-    for (int number = 1;; ++number) {
-        const auto path = folder / fmt::format("play_{:04}.png", number);
-        if (!std::filesystem::exists(path)) return path;
-    }
 }
 
 }  // namespace
@@ -124,7 +118,7 @@ void Play::frame() {
     }
     reload_shaders();
     render(size);
-    if (std::exchange(save_wanted_, false)) save_picture();
+    if (const auto format = std::exchange(editor_.picture.wish, {})) save_picture(*format);
     show(size);
     window_.swap();
 }
@@ -141,7 +135,7 @@ double Play::step_clock() {
 void Play::window_keys(Input& input) {
     if (input.active(Key::control) && input.pressed(Key::q)) window_.request_close();
     if (input.pressed(Key::f11)) window_.toggle_fullscreen();
-    if (input.pressed(Key::f12)) save_wanted_ = true;
+    if (input.pressed(Key::f12)) editor_.picture.wish = PictureFormat::png;
     if (input.pressed(Key::h) && !ImguiLayer::has_keyboard()) help_ = !help_;
     if (input.pressed(Key::escape)) {
         window_.capture_mouse(false);
@@ -172,12 +166,17 @@ void Play::render(uvec2 window_size) {
     picture_size_ = glm::max(uvec2(dvec3(window_size, 0) * settings_.render_scale), uvec2(1));
     const auto frame = static_cast<std::uint32_t>(app_.world.resource<FrameClock>().frame);
     renderer_->executor().set_timing(true);
+    Renderer::Request request{.width = picture_size_.x,
+                              .height = picture_size_.y,
+                              .frame_index = frame,
+                              .seconds = static_cast<float>(app_.world.resource<FrameClock>().step),
+                              .slice_budget = budget_.slices()};
+    if (editor_.picture.wish == PictureFormat::exr) want_linear_layers(request);
+    editor_.compare.prepare(scene_, request);
+    if (editor_.open) request.wanted_if_there.push_back(refined_image);
     try {
-        result_ = renderer_->render(scene_, {.width = picture_size_.x,
-                                             .height = picture_size_.y,
-                                             .frame_index = frame,
-                                             .seconds = static_cast<float>(app_.world.resource<FrameClock>().step),
-                                             .slice_budget = budget_.slices()});
+        result_ = renderer_->render(scene_, request);
+        editor_.compare.update(scene_, request, *renderer_, result_, request.seconds);
     } catch (const Error& error) {
         // A shader that was never good. What the frame left half done goes with the renderer.
         log::error("{}", error.what());
@@ -208,7 +207,7 @@ void Play::show(uvec2 window_size) {
     presenter_.begin(window_size);
     if (result_.drawn) {
         const GLuint picture = renderer_->executor().texture(renderer_->graph(), result_.images.final);
-        presenter_.show(picture, picture_size_, window_size);
+        editor_.compare.on ? show_compared(window_size) : presenter_.show(picture, picture_size_, window_size);
     }
     draw_hud(app_, {.frame = result_,
                     .frame_ms = meter_.milliseconds(),
@@ -217,25 +216,42 @@ void Play::show(uvec2 window_size) {
                     .mouse_captured = window_.mouse_captured(),
                     .shader_errors = renderer_->executor().programs().errors(),
                     .failure = failure_ ? failure_->text : ""});
-    editor_panel(app_, *renderer_, editor_);
+    draw_compare_bar(editor_.compare, editor_.scale);
+    if (editor_.open) editor_panel(app_, panel_report(), editor_);
     widgets_.draw();
     presenter_.end();
 }
 
-void Play::save_picture() {
+void Play::show_compared(uvec2 window_size) {
+    for (const CompareView::Part& part : editor_.compare.parts()) {
+        if (part.picture.texture != 0) presenter_.show_part(part.picture.texture, part.picture.size, window_size, part.from, part.to);
+    }
+}
+
+FrameReport Play::panel_report() {
+    FrameReport report = frame_report(*renderer_, result_);
+    // Rarely, because reading an image waits for the graphics card.
+    constexpr std::uint64_t frames_between = 30;
+    if (!result_.drawn) {
+        refined_.reset();
+    } else if (app_.world.resource<FrameClock>().frame % frames_between == 0) {
+        refined_ = refined_share(*renderer_);
+    }
+    report.refined = refined_;
+    return report;
+}
+
+void Play::save_picture(PictureFormat format) {
     auto& notice = app_.world.resource<Notice>();
     if (!result_.drawn) return notice.say("there is no picture to save");
     try {
-        const Image picture = renderer_->read(result_.images.final);
-        Image opaque(picture.width, picture.height, 3);
-        for (std::size_t i = 0; i < opaque.data.size(); ++i)
-            opaque.data[i] = picture.data[i / 3 * picture.channels + i % 3];
-        const auto path = free_picture_path();
-        write_png(path, opaque);
+        const auto path = save_frame(*renderer_, result_.images, format);
         notice.say(fmt::format("saved {}", path.string()), 4.0);
-        log::info("saved {}", std::filesystem::absolute(path).string());
+        editor_.picture.saved = {fmt::format("saved {}", std::filesystem::absolute(path).string())};
+        log::info("{}", editor_.picture.saved.text);
     } catch (const std::exception& error) {
         notice.say(error.what(), 6.0);
+        editor_.picture.saved = {error.what(), true};
         log::error("{}", error.what());
     }
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "game/app/presenter.h"
 
+#include <cmath>
+
 namespace sl {
 
 Presenter::Presenter() {
@@ -26,6 +28,14 @@ void Presenter::show(GLuint texture, uvec2 texture_size, uvec2 size) {
     glNamedFramebufferTexture(framebuffer_, GL_COLOR_ATTACHMENT0, texture, 0);
     glBlitNamedFramebuffer(framebuffer_, 0, 0, 0, from.x, from.y, 0, 0, to.x, to.y, GL_COLOR_BUFFER_BIT,
                            from == to ? GL_NEAREST : GL_LINEAR);
+}
+
+void Presenter::show_part(GLuint texture, uvec2 texture_size, uvec2 size, float from, float to) {
+    const auto left = static_cast<GLint>(std::lround(from * static_cast<float>(size.x))), right = static_cast<GLint>(std::lround(to * static_cast<float>(size.x)));
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(left, 0, right - left, static_cast<GLsizei>(size.y));
+    show(texture, texture_size, size);
+    glDisable(GL_SCISSOR_TEST);
 }
 
 void Presenter::end() {

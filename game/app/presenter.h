@@ -19,6 +19,8 @@ class Presenter {
     void begin(uvec2 size);
     /// Fills it with a picture, scaled where its size differs.
     void show(GLuint texture, uvec2 texture_size, uvec2 size);
+    /// Only the part between two shares of the width, from the left.
+    void show_part(GLuint texture, uvec2 texture_size, uvec2 size, float from, float to);
     /// Back to what the renderer's passes rely on.
     void end();
 

@@ -125,6 +125,33 @@ def play_outdoor(screen, program, folder):
         game.quit()
 
 
+def edit_settings(screen, program, folder):
+    print("cornell: a setting is dragged in the panel, undone and done again", flush=True)
+    picture, panel = "140x220+110+100", "300x60+300+65"
+    with Game(screen, program, folder / "edited", "cornell", "--size", "640x360", "--gi", "rsm_disc") as game:
+        game.shot_when("start", "the picture is not black", lambda p: brightness(p, picture) > 0.02)
+        game.xdotool("key", "F1")
+        game.shot_when("panel", "F1 shows the panel", lambda p: brightness(p, panel) > 0.05)
+        before = game.settled_shot("before", picture)
+        # The slider of the indirect light's strength, from 1 in small steps to the right, as a hand would.
+        game.xdotool("mousemove", "460", "332")
+        time.sleep(0.5)
+        game.xdotool("mousedown", "1")
+        for x in (490, 520, 550):
+            time.sleep(0.4)
+            game.xdotool("mousemove", str(x), "332")
+        time.sleep(0.4)
+        game.xdotool("mouseup", "1")
+        stronger = lambda p: brightness(p, picture) > 1.2 * brightness(before, picture)
+        game.shot_when("stronger", "the slider makes indirect light stronger", stronger)
+        game.xdotool("key", "ctrl+z")
+        game.shot_when("undone", "one Ctrl+Z undoes the whole drag", lambda p: difference(before, p, picture) < 0.002)
+        game.xdotool("key", "ctrl+y")
+        game.shot_when("done_again", "Ctrl+Y does it again", stronger)
+        game.xdotool("key", "ctrl+z")
+        game.quit()
+
+
 def play_broken_shaders(screen, program, folder):
     print("cornell: a shader is broken and mended while playing", flush=True)
     shaders = folder / "shader"
@@ -220,6 +247,7 @@ def main():
         screen.env["XDG_DATA_HOME"] = str(folder / "data")
         refuse(screen, program)
         play_cornell(screen, program, folder)
+        edit_settings(screen, program, folder)
         play_outdoor(screen, program, folder)
         play_broken_shaders(screen, program, folder)
         play_without_camera(screen, program, folder)

@@ -111,6 +111,11 @@ class FrameGraph {
     bool wanted(std::uint32_t resource) const;
     PersistentStates& states() { return *states_; }
 
+    /// What a pass reads and writes, for people.
+    struct PassImages {
+        std::vector<std::string> reads, writes;
+    };
+    PassImages images_of(const PassRecord& pass) const;
     /// The compiled frame for people (--print-graph).
     std::string table(std::span<const Step> steps) const;
     std::string mermaid(std::span<const Step> steps) const;

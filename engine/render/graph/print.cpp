@@ -16,32 +16,28 @@ std::string label(const ResourceRecord& resource) {
                            : fmt::format("{} {}x{}", resource.name, desc.width, desc.height);
 }
 
-struct Names {
-    std::vector<std::string> reads, writes;
-};
-
-Names names_of(const PassRecord& pass, const std::vector<ResourceRecord>& resources) {
-    Names names;
-    for (const ImageRead& read : pass.reads) names.reads.push_back(resources[read.image.index].name);
-    for (const StorageUse& use : pass.storage) {
-        (use.written ? names.writes : names.reads).push_back(resources[use.buffer.index].name);
-    }
-    for (const ImageStore& store : pass.stores) names.writes.push_back(label(resources[store.image.index]));
-    for (const Target& target : pass.targets) names.writes.push_back(label(resources[target.image.index]));
-    if (pass.depth.image) names.writes.push_back(label(resources[pass.depth.image.index]));
-    return names;
-}
-
 }  // namespace
+
+FrameGraph::PassImages FrameGraph::images_of(const PassRecord& pass) const {
+    PassImages images;
+    for (const ImageRead& read : pass.reads) images.reads.push_back(resources_[read.image.index].name);
+    for (const StorageUse& use : pass.storage) {
+        (use.written ? images.writes : images.reads).push_back(resources_[use.buffer.index].name);
+    }
+    for (const ImageStore& store : pass.stores) images.writes.push_back(label(resources_[store.image.index]));
+    for (const Target& target : pass.targets) images.writes.push_back(label(resources_[target.image.index]));
+    if (pass.depth.image) images.writes.push_back(label(resources_[pass.depth.image.index]));
+    return images;
+}
 
 std::string FrameGraph::table(std::span<const Step> steps) const {
     std::string text = fmt::format("{:<4}{:<22}  {:<46}  {}\n", "#", "pass", "writes", "reads");
     int number = 0;
     for (const Step& step : steps) {
         const PassRecord& pass = passes_[static_cast<std::size_t>(step.pass)];
-        const Names names = names_of(pass, resources_);
-        text += fmt::format("{:<4}{:<22}  {:<46}  {}\n", ++number, pass.name, fmt::format("{}", fmt::join(names.writes, ", ")),
-                            fmt::join(names.reads, ", "));
+        const PassImages images = images_of(pass);
+        text += fmt::format("{:<4}{:<22}  {:<46}  {}\n", ++number, pass.name, fmt::format("{}", fmt::join(images.writes, ", ")),
+                            fmt::join(images.reads, ", "));
     }
     return text;
 }
