@@ -72,7 +72,7 @@ std::string fault_of_name(const std::filesystem::path& folder, const std::string
 
 void delete_world(const std::filesystem::path& path) {
     // Opened and closed first: so it is a sound world that nobody plays, and nothing of it is left in a log.
-    (void)WorldFile::open(path);
+    if (WorldFile::open(path)->read_only()) fail("{}: it is not deleted, the file or its folder is read-only", path.string());
     std::error_code error;
     std::filesystem::remove(path, error);
     if (error) fail("{}: cannot be deleted: {}", path.string(), error.message());
