@@ -113,7 +113,7 @@ void draw_hud(App& app, const HudInput& input) {
     const ImGuiViewport& screen = *ImGui::GetMainViewport();
     const float gap = ImGui::GetFontSize() * 0.6f;
     const ImVec2 centre = screen.GetCenter();
-    status(app, input).draw(ImVec2(gap, gap), ImVec2(0, 0));
+    if (!input.help) status(app, input).draw(ImVec2(gap, gap), ImVec2(0, 0));
     if (!input.failure.empty()) {
         message(input.failure, centre, alarming);
     } else if (!input.frame.drawn) {
