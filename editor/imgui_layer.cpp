@@ -8,11 +8,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "editor/imgui_navigation.h"
+#include "editor/imgui_taps.h"
+
 namespace sl {
 
 namespace {
 
 constexpr float font_pixels = 13.0f;  // ImGui's own font is drawn for this size
+constexpr float large_screen = 1080.0f;  // pixels high; twice as high, texts are twice as large
+
+/// By whole numbers, which keep the pixels of the font sharp.
+float enlargement(float screen_height, float content_scale) {
+    return std::max(1.0f, std::floor(screen_height / (large_screen * content_scale)));
+}
 
 }  // namespace
 
@@ -31,7 +40,6 @@ ImguiLayer::ImguiLayer(const Window& window) : scale_(window.content_scale()) {
     ImGui::GetStyle().ScaleAllSizes(scale_);
     // Chains the window's own callbacks, which are there already.
     ImGui_ImplGlfw_InitForOpenGL(window.native(), true);
-    taps_.emplace(window.native());
     ImGui_ImplOpenGL3_Init("#version 450 core");
 }
 
@@ -41,7 +49,9 @@ ImguiLayer::~ImguiLayer() {
     ImGui::DestroyContext();
 }
 
-void ImguiLayer::begin(Input& input) {
+float ImguiLayer::scale() const { return scale_ * ImGui::GetIO().FontGlobalScale; }
+
+void ImguiLayer::begin(Input& input, bool navigate) {
     ImGuiIO& io = ImGui::GetIO();
     // A captured pointer has no place on the screen and must not hover over widgets.
     if (input.mouse_captured) {
@@ -51,7 +61,9 @@ void ImguiLayer::begin(Input& input) {
     }
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
-    taps_->hold();
+    io.FontGlobalScale = enlargement(io.DisplaySize.y, scale_);
+    keep_taps(input);
+    navigate_widgets(navigate, input);
     ImGui::NewFrame();
     if (io.WantCaptureKeyboard) input.ignore_keys();
     if (io.WantCaptureMouse) input.ignore_mouse();
@@ -59,7 +71,6 @@ void ImguiLayer::begin(Input& input) {
 
 void ImguiLayer::draw() {
     ImGui::Render();
-    taps_->release();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 
@@ -67,9 +78,12 @@ bool ImguiLayer::has_keyboard() {
     return ImGui::GetIO().WantTextInput;
 }
 
+bool ImguiLayer::has_active_widget() {
+    return ImGui::IsAnyItemActive();
+}
+
 void ImguiLayer::skip() {
     ImGui::EndFrame();
-    taps_->release();
 }
 
 }  // namespace sl

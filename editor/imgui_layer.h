@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
-
-#include "editor/key_taps.h"
 #include "engine/core/window.h"
 
 namespace sl {
@@ -18,8 +15,8 @@ class ImguiLayer {
     ImguiLayer& operator=(const ImguiLayer&) = delete;
 
     /// Widgets may be drawn from here on. Takes from `input` what belongs to a widget, so that the game does
-    /// not see it.
-    void begin(Input& input);
+    /// not see it. `navigate`: keyboard and gamepad move among widgets.
+    void begin(Input& input, bool navigate = false);
     /// Draws the frame's widgets to the bound framebuffer; colours go there as they are.
     void draw();
     /// For a frame that is not drawn.
@@ -27,12 +24,13 @@ class ImguiLayer {
 
     /// Whether somebody is typing into a widget.
     static bool has_keyboard();
-    /// Size of widgets in units of their usual size.
-    float scale() const { return scale_; }
+    /// Whether somebody is holding or moving a widget, or typing into it.
+    static bool has_active_widget();
+    /// Size of widgets in units of their usual size; larger on screens of very many pixels.
+    float scale() const;
 
   private:
     float scale_ = 1.0f;
-    std::optional<KeyTaps> taps_;
 };
 
 }  // namespace sl

@@ -7,9 +7,8 @@
 namespace sl {
 
 /// What the keys 1 to 9, and the wheel, choose.
-inline constexpr std::array<Block, 9> block_palette{Block::planks,     Block::stone,     Block::grass,
-                                                    Block::log,        Block::brick,     Block::red_planks,
-                                                    Block::white_wool, Block::glowstone, Block::gold};
+inline constexpr std::array<Block, 9> block_palette{Block::planks,    Block::stone,      Block::glowstone, Block::white_wool, Block::red_wool,
+                                                    Block::blue_wool, Block::green_wool, Block::yellow_wool, Block::blue_lamp};
 
 /// What the player builds with; a resource.
 struct BlockTool {

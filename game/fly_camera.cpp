@@ -36,7 +36,8 @@ void fly_camera(Query<const Camera, Transform> cameras, const Input& input, cons
     }
     const vec3 wish =
         command ? vec3(0.0f)
-                : vec3(input.axis(Key::d, Key::a), input.axis(Key::e, Key::q), input.axis(Key::s, Key::w));
+                : vec3(input.axis(Key::d, Key::a) + input.stick.x, input.axis(Key::e, Key::q), input.axis(Key::s, Key::w) - input.stick.y);
+    const double pace = std::min(glm::length(wish), 1.0f);  // a stick may be half way
     for (auto [entity, camera, transform] : cameras) {
         if (!camera.active) continue;
         if (input.mouse_delta != vec2(0.0f)) {
@@ -48,7 +49,7 @@ void fly_camera(Query<const Camera, Transform> cameras, const Input& input, cons
             const vec3 level_back = glm::cross(level_right, vec3(0, 1, 0));
             const vec3 direction =
                 glm::normalize(level_right * wish.x + vec3(0, wish.y, 0) + level_back * wish.z);
-            const double speed = fly.speed * (input.active(Key::shift) ? fly.fast : 1.0);
+            const double speed = fly.speed * pace * (input.active(Key::shift) ? fly.fast : 1.0);
             transform.translation += dvec3(direction) * (speed * clock.step);
         }
         break;

@@ -18,6 +18,7 @@ namespace sl {
 namespace {
 
 constexpr double player_is_saved_every = 1.0;  // s
+constexpr double longest_wait = 3.0;           // s
 constexpr const char* player_key = "player";
 constexpr const char* crystals_key = "crystals";
 
@@ -91,6 +92,16 @@ void attach_world(App& app, std::unique_ptr<WorldFile> file) {
     world.add_resource(std::move(saved));
     app.schedule.add(Stage::present, "save_world", &save_world);
     app.schedule.run(world);
+}
+
+void finish_world(World& world) {
+    auto* saved = world.find_resource<SavedWorld>();
+    if (saved == nullptr) return;
+    saved->unsaved = player_is_saved_every;
+    save_world(world);
+    if (saved->file->read_only() || saved->file->wait(longest_wait)) return;
+    const WorldFile::Status status = saved->file->status();
+    fail("this world is not left, for {} changes are not saved yet: {}", status.waiting, status.problem);
 }
 
 void save_world(World& world) {

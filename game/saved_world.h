@@ -22,6 +22,10 @@ std::filesystem::path worlds_folder();
 /// where the player is.
 void attach_world(App& app, std::unique_ptr<WorldFile> file);
 
+/// Before another world takes the place of this one: saves where the player is now and waits until all is on disk. Throws Error
+/// where that fails, for what was built would be lost.
+void finish_world(World& world);
+
 /// Hands what has changed to the world file; never waits for the disk.
 void save_world(World& world);
 

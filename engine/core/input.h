@@ -5,7 +5,7 @@
 #include <bitset>
 #include <cstddef>
 
-#include "engine/core/math.h"
+#include "engine/core/gamepad.h"
 
 namespace sl {
 
@@ -16,7 +16,9 @@ enum class Key : std::size_t {
     digit_0, digit_1, digit_2, digit_3, digit_4, digit_5, digit_6, digit_7, digit_8, digit_9,
     f1, f2, f3, f4, f5, f6, f7, f8, f9, f10, f11, f12,
     space, enter, escape, tab, left, right, up, down, plus, minus, left_bracket, right_bracket,
-    shift, control
+    comma, period, slash, backslash, semicolon, apostrophe, grave_accent,
+    backspace, insert, home, end, page_up, page_down,
+    alt, shift, control
 };
 // clang-format on
 inline constexpr std::size_t key_count = static_cast<std::size_t>(Key::control) + 1;
@@ -34,6 +36,8 @@ struct Input {
     vec2 mouse_delta{0.0f};       ///< screen units, right and down; only while the mouse is captured
     float scroll = 0.0f;          ///< notches, away from the user
     bool mouse_captured = false;  ///< the pointer is hidden and turns the view
+    Gamepad gamepad;
+    vec2 stick{0.0f};  ///< right and forward, -1 to 1: how far a gamepad's stick asks to walk, beside the keys
 
     bool down(Key key) const { return keys_down[static_cast<std::size_t>(key)]; }
     bool pressed(Key key) const { return keys_pressed[static_cast<std::size_t>(key)]; }

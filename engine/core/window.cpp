@@ -8,6 +8,7 @@
 
 #include "engine/core/error.h"
 #include "engine/core/log.h"
+#include "engine/core/window_gamepad.h"
 #include "engine/core/window_keys.h"
 
 namespace sl {
@@ -145,9 +146,16 @@ Input Window::poll() {
     } else {
         glfwWaitEventsTimeout(wait_while_unseen);
     }
+    poll_gamepad();
     const Input frame = events_;
     events_.next_frame();
     return frame;
+}
+
+void Window::poll_gamepad() {
+    const bool focused = glfwGetWindowAttrib(window_, GLFW_FOCUSED) != GLFW_FALSE;
+    const std::optional<GamepadReading> reading = focused ? read_gamepad() : std::nullopt;
+    events_.gamepad = reading ? gamepad_after(events_.gamepad, *reading) : Gamepad{};
 }
 
 void Window::swap() {
@@ -192,8 +200,12 @@ void Window::capture_mouse(bool captured) {
     events_.mouse_captured = captured;
 }
 
+bool Window::fullscreen() const {
+    return glfwGetWindowMonitor(window_) != nullptr;
+}
+
 void Window::toggle_fullscreen() {
-    if (glfwGetWindowMonitor(window_) != nullptr) {
+    if (fullscreen()) {
         glfwSetWindowMonitor(window_, nullptr, windowed_place_.x, windowed_place_.y, windowed_size_.x,
                              windowed_size_.y, GLFW_DONT_CARE);
     } else {

@@ -29,7 +29,8 @@ class Window {
     GLFWwindow* native() const { return window_; }
 
     /// Handles what has happened and tells it as input. While there is nothing to draw to it waits for the
-    /// next event, a quarter of a second at most. Without focus no key is held and the mouse is free.
+    /// next event, a quarter of a second at most. Without focus no key is held, the mouse is free and the gamepad
+    /// is not heard.
     Input poll();
     /// Needs a current context.
     void swap();
@@ -49,10 +50,12 @@ class Window {
     void capture_mouse(bool captured);
     /// Fullscreen on the monitor that shows most of the window, and back to where it was.
     void toggle_fullscreen();
+    bool fullscreen() const;
 
   private:
     struct Callbacks;
     void release_all();
+    void poll_gamepad();
 
     GLFWwindow* window_ = nullptr;
     Input events_;  ///< gathered by callbacks until the next poll

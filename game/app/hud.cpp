@@ -7,9 +7,11 @@
 #include <cmath>
 
 #include "engine/core/field_list.h"
+#include "engine/core/key_names.h"
 #include "game/app/hud_blocks.h"
 #include "game/app/hud_crystals.h"
 #include "game/block_tool.h"
+#include "game/menu/keys_text.h"
 #include "game/notice.h"
 #include "game/saved_world.h"
 #include "game/session.h"
@@ -23,30 +25,7 @@ constexpr ImU32 plain = IM_COL32(255, 255, 255, 255);
 constexpr ImU32 faint = IM_COL32(255, 255, 255, 140);
 constexpr ImU32 alarming = IM_COL32(255, 150, 90, 255);
 
-constexpr const char* keys_text =
-    "click         capture the mouse, then:\n"
-    "  left        break a block\n"
-    "  right       place a block\n"
-    "  middle      take the kind of block\n"
-    "1 ... 9       choose a block; so does the wheel\n"
-    "W A S D       walk;  Space: jump, swim up\n"
-    "Shift         run;  C: crouch, dive\n"
-    "V             fly, and walk again;  E up, Q down\n"
-    "Ctrl+wheel    speed of flight\n"
-    "F             flashlight\n"
-    "T             hint for the nearest crystal\n"
-    "G             next GI method\n"
-    "O             GI off and on\n"
-    "[ ]           sun round (or left, right)\n"
-    "up, down      sun higher, lower\n"
-    "+ -           brighter, darker\n"
-    "F1            editor panel\n"
-    "F11           fullscreen\n"
-    "F12           capture into out/\n"
-    "Escape        free the mouse\n"
-    "Ctrl+Q        quit";
-
-/// Lines on a dark ground, with their pivot (0 to 1 of their own size) at a point of the screen. Not an ImGui
+/// Lines on a dark ground, broken where the screen ends, with their pivot (0 to 1 of their own size) at a point of the screen. Not an ImGui
 /// window: those learn the size of what is in them a frame too late, which shows where a frame takes a
 /// second.
 class TextBox {
@@ -54,10 +33,11 @@ class TextBox {
     void line(const std::string& text, ImU32 colour = plain) { lines_.push_back({text, colour}); }
 
     void draw(ImVec2 point, ImVec2 pivot, int darkness = 115) const {
-        const float gap = ImGui::GetFontSize() * 0.5f;
+        const float gap = ImGui::GetFontSize() * 0.5f, widest = std::max(ImGui::GetMainViewport()->Size.x - 4.0f * gap, 1.0f);
+        const auto extent_of = [&](const std::string& text) { return ImGui::CalcTextSize(text.c_str(), nullptr, false, widest); };
         ImVec2 size(0, 0);
         for (const auto& [text, colour] : lines_) {
-            const ImVec2 extent = ImGui::CalcTextSize(text.c_str());
+            const ImVec2 extent = extent_of(text);
             size = ImVec2(std::max(size.x, extent.x), size.y + extent.y);
         }
         const ImVec2 outer(size.x + 2 * gap, size.y + 2 * gap);
@@ -67,8 +47,8 @@ class TextBox {
                            gap * 0.5f);
         at = ImVec2(at.x + gap, at.y + gap);
         for (const auto& [text, colour] : lines_) {
-            list.AddText(at, colour, text.c_str());
-            at.y += ImGui::CalcTextSize(text.c_str()).y;
+            list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), at, colour, text.c_str(), nullptr, widest);
+            at.y += extent_of(text).y;
         }
     }
 
@@ -107,7 +87,8 @@ TextBox status(App& app, const HudInput& input) {
     if (app.world.resource<VoxelStats>().chunks > 0) {
         box.line(fmt::format("block {}", block_info(app.world.resource<BlockTool>().held).name));
     }
-    box.line(input.mouse_captured ? "F1 panel  H help" : "click to look round  F1 panel  H help", faint);
+    const std::string keys = fmt::format("{} panel  {} help", key_label(input.keys[Action::panel]), key_label(input.keys[Action::help]));
+    box.line(input.mouse_captured ? keys : "click to look round  " + keys, faint);
     return box;
 }
 
@@ -133,7 +114,7 @@ void draw_hud(App& app, const HudInput& input) {
     const ImGuiViewport& screen = *ImGui::GetMainViewport();
     const float gap = ImGui::GetFontSize() * 0.6f;
     const ImVec2 centre = screen.GetCenter();
-    status(app, input).draw(ImVec2(gap, gap), ImVec2(0, 0));
+    if (!input.help) status(app, input).draw(ImVec2(gap, gap), ImVec2(0, 0));
     if (!input.failure.empty()) {
         message(input.failure, centre, alarming);
     } else if (!input.frame.drawn) {
@@ -160,7 +141,7 @@ void draw_hud(App& app, const HudInput& input) {
     if (const auto& notice = app.world.resource<Notice>(); notice.seconds_left > 0.0) {
         message(notice.text, ImVec2(centre.x, screen.Size.y * 0.75f), plain);
     }
-    if (input.help) message(keys_text, centre, plain, 190);
+    if (input.help) message(keys_text(input.keys), centre, plain, 190);
 }
 
 }  // namespace sl

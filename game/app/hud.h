@@ -6,6 +6,7 @@
 
 #include "engine/ecs/app.h"
 #include "engine/render/renderer.h"
+#include "game/settings/key_bindings.h"
 
 namespace sl {
 
@@ -27,6 +28,7 @@ struct HudInput {
     const Renderer::Result& frame;
     double frame_ms = 0.0;
     double gi_ms = 0.0;
+    const KeyBindings& keys;
     bool help = false;
     bool mouse_captured = false;
     std::span<const std::string> shader_errors;

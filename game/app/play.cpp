@@ -64,7 +64,7 @@ void add_play_command(const Flags& program, const GlobalFlags& global) {
                       "Fill the screen (F11 while playing)");
     command.toggle("--no-vsync", flags->no_vsync, "Draw as fast as possible, not in step with the screen");
     command.add("--render-scale", flags->settings.render_scale,
-                     "Pixels drawn per pixel shown, along each axis").within(0.05, 4.0)
+                     "Pixels drawn per pixel shown, along each axis; else as the settings have it").within(0.05, 4.0)
         ;
     command.add("--frames", flags->settings.max_frames, "Quit after so many frames; 0 plays on")
         ;

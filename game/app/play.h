@@ -8,8 +8,11 @@
 #include "editor/imgui_layer.h"
 #include "game/app/commands.h"
 #include "game/app/hud.h"
+#include "game/app/live_settings.h"
 #include "game/app/presenter.h"
 #include "game/app/slice_budget.h"
+#include "game/menu/menu.h"
+#include "game/settings/held_over.h"
 
 namespace sl {
 
@@ -19,7 +22,7 @@ struct PlaySettings {
     bool new_world = false;       ///< it is made from the scene; otherwise it is there and names its scene
     bool unsaved_if_need_be = false;  ///< where it cannot be made, the game goes on without
     WindowSettings window;
-    double render_scale = 1.0;     ///< pixels drawn per pixel shown, per axis
+    std::optional<double> render_scale;  ///< pixels drawn per pixel shown, per axis; else what the player's settings say
     std::uint64_t max_frames = 0;  ///< 0: until the window is closed
 };
 
@@ -34,9 +37,17 @@ class Play {
   private:
     using Clock = std::chrono::steady_clock;
 
-    void make_world();
     void frame();
     double step_clock();
+    /// Frees the mouse for menu or panel, and captures it again where it was when both are gone.
+    void free_mouse();
+    void give_mouse_back();
+    void steer_menu(const Input& input);
+    void show_menu();
+    void choose_world(const WorldChoice& choice);
+    void open_wanted_world();
+    /// Throws Error, and leaves the old world as it is where the new one cannot be opened.
+    void change_world(const WorldChoice& choice);
     /// Keys of the window itself, which also work while a widget has the keyboard.
     void window_keys(Input& input);
     void capture_on_click(Input& input);
@@ -49,6 +60,7 @@ class Play {
     void save_picture(PictureFormat format);
 
     PlaySettings settings_;
+    LiveSettings user_;
     App app_;
     Window window_;
     std::unique_ptr<gl::Context> context_;
@@ -56,6 +68,10 @@ class Play {
     ImguiLayer widgets_;
     Presenter presenter_;
     EditorState editor_;
+    Menu menu_;
+    HeldOver held_over_;
+    std::optional<WorldChoice> wanted_world_;
+    int frames_until_opened_ = 0;  ///< while the menu says which world is being opened
     RenderScene scene_;
     Renderer::Result result_;
     uvec2 picture_size_{0};
@@ -73,7 +89,7 @@ class Play {
     std::optional<Failure> failure_;
     bool help_ = false;
     std::optional<double> refined_;  ///< as it was read last, for the panel
-    bool recapture_ = false;  ///< the panel freed the mouse and gives it back
+    bool recapture_ = false;  ///< panel or menu freed the mouse and gives it back
 };
 
 }  // namespace sl

@@ -7,15 +7,12 @@
 #include "engine/render/refined_share.h"
 #include "engine/render/scene/extract.h"
 #include "engine/render/trace/light_meter.h"
+#include "game/app/open_game.h"
 #include "game/app/picture_file.h"
 #include "game/app/play.h"
-#include "game/block_tool.h"
-#include "game/flashlight.h"
-#include "game/fly_camera.h"
-#include "game/light_keys.h"
 #include "game/notice.h"
-#include "game/player/player.h"
 #include "game/saved_world.h"
+#include "game/settings/player_input.h"
 
 namespace sl {
 
@@ -24,21 +21,15 @@ namespace {
 constexpr double longest_step = 0.1;     // s; a pause is no flight through a wall
 constexpr double reload_interval = 0.5;  // s
 
-App open_game(PlaySettings settings) {
-    std::unique_ptr<WorldFile> file;
-    if (!settings.world.empty() && !settings.new_world) {
-        file = WorldFile::open(settings.world);
-        settings.scene.scene = file->scene();
-    }
-    App app = open_scene(settings.scene);
-    add_light_keys(app);
-    add_block_tool(app);
-    add_fly_camera(app);
-    add_player(app);
-    add_flashlight(app);
-    app.world.emplace_resource<LightMeter>();
-    if (file) attach_world(app, std::move(file));
-    return app;
+/// A command line holds for one run and changes no settings.
+WindowSettings window_settings(WindowSettings window, const PictureSettings& picture) {
+    window.vsync = window.vsync && picture.vsync;
+    window.fullscreen = window.fullscreen || picture.fullscreen;
+    return window;
+}
+
+bool chooses_light(const SceneChoice& scene) {
+    return !scene.gi.empty() || std::ranges::any_of(scene.sets, [](const std::string& set) { return set.starts_with("gi."); });
 }
 
 std::filesystem::file_time_type newest_change(const std::filesystem::path& folder) {
@@ -58,29 +49,17 @@ std::size_t method_index(const RenderScene& scene) {
 
 Play::Play(const PlaySettings& settings)
     : settings_(settings),
+      user_(settings_path()),
       app_(open_game(settings)),
-      window_(settings.window),
+      window_(window_settings(settings.window, user_.values().picture)),
       context_(gl::create_context(gl::ContextKind::window, window_.native())),
       widgets_(window_) {
     renderer_.emplace(shader_folder());
-    editor_.scale = widgets_.scale();
+    user_.override_render_scale(settings_.render_scale);
+    user_.enter(app_, !chooses_light(settings_.scene));
+    menu_.folder = worlds_folder();
     // Last: no file is left behind by a game that does not begin.
-    if (settings_.new_world) make_world();
-}
-
-void Play::make_world() {
-    const std::string& scene = settings_.scene.scene;
-    // A path must lead there from any folder.
-    const std::filesystem::path file = scene_path(scene);
-    const std::string lasting = file == scene ? std::filesystem::absolute(file).string() : scene;
-    try {
-        if (settings_.unsaved_if_need_be) std::filesystem::create_directories(settings_.world.parent_path());
-        attach_world(app_, WorldFile::create(settings_.world, lasting));
-    } catch (const std::exception& error) {
-        if (!settings_.unsaved_if_need_be) throw;
-        log::warn("nothing is saved: {}", error.what());
-        app_.world.resource<Notice>().say(fmt::format("nothing is saved: {}", error.what()), 20.0);
-    }
+    if (settings_.new_world) make_world(app_, settings_);
 }
 
 void Play::run() {
@@ -90,6 +69,7 @@ void Play::run() {
         frame();
         if (window_.drawable() && ++drawn == settings_.max_frames) break;
     }
+    user_.follow(app_, window_, true);
     if (!context_->errors().empty()) {
         fail("OpenGL reported {} errors, the first: {}", context_->errors().size(),
              context_->errors().front());
@@ -97,12 +77,17 @@ void Play::run() {
 }
 
 void Play::frame() {
+    open_wanted_world();
     Input input = window_.poll();
+    steer_menu(input);
     const double seconds = step_clock();
     window_keys(input);
-    widgets_.begin(input);
+    user_.follow(app_, window_, !ImguiLayer::has_active_widget());
+    menu_.is_open() ? held_over_.note(input) : held_over_.remove_from(input);
+    widgets_.begin(input, menu_.is_open() && menu_.page != MenuPage::press_key);
+    editor_.scale = widgets_.scale();
     capture_on_click(input);
-    app_.world.resource<Input>() = input;
+    app_.world.resource<Input>() = menu_.is_open() ? Input{} : player_input(input, user_.values(), seconds);
     app_.schedule.run(app_.world);
     auto& notice = app_.world.resource<Notice>();
     notice.seconds_left = std::max(0.0, notice.seconds_left - seconds);
@@ -127,34 +112,31 @@ double Play::step_clock() {
     const auto now = Clock::now();
     const double seconds = std::chrono::duration<double>(now - std::exchange(last_frame_, now)).count();
     auto& clock = app_.world.resource<FrameClock>();
-    clock.step = std::clamp(seconds, 1e-4, longest_step);
+    clock.step = menu_.is_open() ? 0.0 : std::clamp(seconds, 1e-4, longest_step);
     clock.advance();
     return seconds;
 }
 
 void Play::window_keys(Input& input) {
     if (input.active(Key::control) && input.pressed(Key::q)) window_.request_close();
-    if (input.pressed(Key::f11)) window_.toggle_fullscreen();
-    if (input.pressed(Key::f12)) editor_.picture.wish = PictureFormat::png;
-    if (input.pressed(Key::h) && !ImguiLayer::has_keyboard()) help_ = !help_;
-    if (input.pressed(Key::escape)) {
-        window_.capture_mouse(false);
-        recapture_ = false;
+    input.mouse_captured = window_.mouse_captured();
+    if (menu_.is_open()) return;
+    const Input keys = with_usual_keys(input, user_.values().keys);
+    if (keys.pressed(Key::f11)) {
+        window_.toggle_fullscreen();
+        user_.values().picture.fullscreen = window_.fullscreen();
     }
-    if (input.pressed(Key::f1)) {
+    if (keys.pressed(Key::f12)) editor_.picture.wish = PictureFormat::png;
+    if (keys.pressed(Key::h) && !ImguiLayer::has_keyboard()) help_ = !help_;
+    if (keys.pressed(Key::f1)) {
         editor_.open = !editor_.open;
-        if (editor_.open) {
-            recapture_ = window_.mouse_captured();
-            window_.capture_mouse(false);
-        } else if (recapture_) {
-            window_.capture_mouse(true);
-        }
+        editor_.open ? free_mouse() : give_mouse_back();
     }
     input.mouse_captured = window_.mouse_captured();
 }
 
 void Play::capture_on_click(Input& input) {
-    if (window_.mouse_captured() || !input.pressed(MouseButton::left)) return;
+    if (menu_.is_open() || window_.mouse_captured() || !input.pressed(MouseButton::left)) return;
     window_.capture_mouse(true);
     input.ignore_mouse();
 }
@@ -163,7 +145,7 @@ void Play::render(uvec2 window_size) {
     if (failure_) return;
     extract(app_.world, scene_);
     app_.world.resource<LightMeter>().update(scene_);
-    picture_size_ = glm::max(uvec2(dvec3(window_size, 0) * settings_.render_scale), uvec2(1));
+    picture_size_ = glm::max(uvec2(dvec3(window_size, 0) * user_.render_scale()), uvec2(1));
     const auto frame = static_cast<std::uint32_t>(app_.world.resource<FrameClock>().frame);
     renderer_->executor().set_timing(true);
     Renderer::Request request{.width = picture_size_.x,
@@ -212,12 +194,14 @@ void Play::show(uvec2 window_size) {
     draw_hud(app_, {.frame = result_,
                     .frame_ms = meter_.milliseconds(),
                     .gi_ms = gi_milliseconds(renderer_->executor().timers().newest()),
+                    .keys = user_.values().keys,
                     .help = help_,
                     .mouse_captured = window_.mouse_captured(),
                     .shader_errors = renderer_->executor().programs().errors(),
                     .failure = failure_ ? failure_->text : ""});
     draw_compare_bar(editor_.compare, editor_.scale);
-    if (editor_.open) editor_panel(app_, panel_report(), editor_);
+    if (editor_.open && !menu_.is_open()) editor_panel(app_, panel_report(), editor_);
+    show_menu();
     widgets_.draw();
     presenter_.end();
 }

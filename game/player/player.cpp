@@ -25,7 +25,7 @@ BodyWish wish_of(const Input& input, const quat& rotation) {
     BodyWish wish;
     if (input.active(Key::control)) return wish;  // Ctrl+Q is no walk
     wish.heading = std::atan2(-right.z, right.x);
-    wish.move = vec2(input.axis(Key::d, Key::a), input.axis(Key::w, Key::s));
+    wish.move = glm::clamp(vec2(input.axis(Key::d, Key::a), input.axis(Key::w, Key::s)) + input.stick, -1.0f, 1.0f);
     wish.jump = input.active(Key::space);
     wish.run = input.active(Key::shift);
     wish.crouch = input.active(Key::c);

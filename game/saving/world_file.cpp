@@ -25,12 +25,25 @@ constexpr const char* tables =
     "CREATE TABLE text (key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;"
     "CREATE TABLE block (volume INTEGER, x INTEGER, y INTEGER, z INTEGER, kind INTEGER NOT NULL, PRIMARY KEY (volume, x, y, z)) WITHOUT ROWID;";
 
-void check_world(Database& database, const std::filesystem::path& path) {
+void check_kind(Database& database, const std::filesystem::path& path) {
     if (database.integer("PRAGMA application_id") != application_id) fail("{}: it is a database, but no world", path.string());
     const std::int64_t schema = database.integer("PRAGMA user_version");
     if (schema > newest_schema) fail("{}: it was written by a newer version of this program (its tables are of version {}, not {})", path.string(), schema, newest_schema);
+}
+
+void check_pages(Database& database, const std::filesystem::path& path) {
     Database::Statement check(database, "PRAGMA quick_check(1)");
     if (!check.next() || check.text(0) != "ok") fail("{}: it is damaged: {}", path.string(), check.text(0));
+}
+
+void check_world(Database& database, const std::filesystem::path& path) {
+    check_kind(database, path);
+    check_pages(database, path);
+}
+
+std::filesystem::path log_of(std::filesystem::path path) {
+    path += "-wal";
+    return path;
 }
 
 bool can_write(const std::filesystem::path& path) {
@@ -62,9 +75,7 @@ std::unique_ptr<WorldFile> WorldFile::open(const std::filesystem::path& path) {
     std::unique_ptr<Database> database;
     std::string problem;
     if (std::error_code ignored; std::filesystem::exists(path, ignored) && !can_write(path)) {
-        std::filesystem::path log = path;
-        log += "-wal";
-        if (std::filesystem::exists(log, ignored)) fail("{}: it was not closed, and its log cannot be read where nothing can be written: copy both to another folder", path.string());
+        if (std::filesystem::exists(log_of(path), ignored)) fail("{}: it was not closed, and its log cannot be read where nothing can be written: copy both to another folder", path.string());
         database = std::make_unique<Database>(path, Database::Access::read);
         problem = fmt::format("{}: changes are not saved, the file or its folder is read-only", path.string());
         check_world(*database, path);
@@ -78,6 +89,16 @@ std::unique_ptr<WorldFile> WorldFile::open(const std::filesystem::path& path) {
     std::unique_ptr<WorldFile> world(new WorldFile(path, std::move(database), problem));
     world->load();
     return world;
+}
+
+std::string WorldFile::scene_of(const std::filesystem::path& path) {
+    Database database(path, Database::Access::read);
+    check_kind(database, path);
+    // With a log beside it, it is being played or was not closed, and its pages need not fit together without that.
+    if (std::error_code ignored; !std::filesystem::exists(log_of(path), ignored)) check_pages(database, path);
+    Database::Statement scene(database, "SELECT value FROM text WHERE key = 'scene'");
+    if (!scene.next() || scene.text(0).empty()) fail("{}: it is damaged: it names no scene", path.string());
+    return scene.text(0);
 }
 
 WorldFile::WorldFile(const std::filesystem::path& path, std::unique_ptr<Database> database, std::string problem)

@@ -32,6 +32,8 @@ class WorldFile {
     /// Opens one. What is damaged, no world, from a newer program, or open elsewhere, is refused with an Error and stays as it
     /// is; what can only be read is opened all the same, and its status says so.
     static std::unique_ptr<WorldFile> open(const std::filesystem::path& path);
+    /// The scene that a world names, without writing, locking or reading all of it. Throws Error like open.
+    static std::string scene_of(const std::filesystem::path& path);
     /// Waits until all is written, or for a few seconds where that fails.
     ~WorldFile();
     WorldFile(const WorldFile&) = delete;
@@ -39,6 +41,8 @@ class WorldFile {
 
     const std::filesystem::path& path() const { return path_; }
     const std::string& scene() const { return scene_; }
+    /// Nothing can be saved here, as the status says from the start.
+    bool read_only() const { return read_only_; }
     /// As they were when it was opened.
     const std::vector<BlockEdit>& edits() const { return edits_; }
     /// Empty where there is none; as it was when it was opened.

@@ -188,7 +188,7 @@ TEST(PaperWorld, ThingsStandWhereTheConstantsSay) {
     expect_only(volume, world::pillar, Block::log);
     expect_only(volume, {{world::pool.low.x, -1, world::pool.low.z}, world::pool.high}, Block::air);
     expect_only(volume, {world::pool.low, {world::pool.high.x, -1, world::pool.high.z}}, Block::water);
-    for (std::uint32_t number = 1; number <= row_kinds; ++number) {
+    for (std::uint32_t number = 1; number <= world::row_kinds; ++number) {
         const ivec3 place = world::row_start + ivec3(world::row_step * (static_cast<int>(number) - 1), 0, 0);
         EXPECT_EQ(volume.get(place), static_cast<Block>(number));
         EXPECT_EQ(volume.get(place + ivec3(0, 1, 0)), Block::air);
