@@ -21,9 +21,9 @@ void time_table(const char* id, const std::vector<TimeRow>& rows) {
     double longest = 1e-6;
     for (const TimeRow& row : rows) longest = std::max(longest, row.milliseconds);
     if (!ImGui::BeginTable(id, 3, ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_RowBg)) return;
-    ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch, 0.45f);
-    ImGui::TableSetupColumn("ms", ImGuiTableColumnFlags_WidthStretch, 0.2f);
-    ImGui::TableSetupColumn("share", ImGuiTableColumnFlags_WidthStretch, 0.35f);
+    ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch, 0.55f);
+    ImGui::TableSetupColumn("ms", ImGuiTableColumnFlags_WidthStretch, 0.15f);
+    ImGui::TableSetupColumn("share", ImGuiTableColumnFlags_WidthStretch, 0.3f);
     for (const TimeRow& row : rows) {
         ImGui::TableNextColumn();
         ImGui::TextUnformatted(row.name.c_str());

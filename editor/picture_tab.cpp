@@ -15,7 +15,7 @@ void copy_settings(const EditedScene& scene, const FrameReport& report, PictureT
         const uvec2 size = report.drawn ? report.size : uvec2(640, 360);
         state.command = shell_line(capture_command(scene.world, scene.registry, size));
         ImGui::SetClipboardText(state.command.c_str());
-        state.copied = {"copied:"};
+        state.copied = {"Copied:"};
     } catch (const std::exception& error) {
         state.command.clear();
         state.copied = {error.what(), true};

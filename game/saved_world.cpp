@@ -64,6 +64,24 @@ void save_changed(SavedWorld& saved, const char* key, std::string text) {
     saved.file->save_text(key, std::move(text));
 }
 
+/// The entity itself, or the one that came in its place.
+Entity living(World& world, const SavedWorld::Volume& volume) {
+    if (world.alive(volume.entity)) return volume.entity;
+    for (auto [entity, generator, name] : Query<const VoxelGenerator, const Name>(world)) {
+        if (name.value == volume.name) return entity;
+    }
+    return {};
+}
+
+void build_again(World& world, SavedWorld::Volume& volume) {
+    volume.entity = living(world, volume);
+    const auto* content = volume.entity ? world.find<VoxelContent>(volume.entity) : nullptr;
+    if (content == nullptr || content->volume == volume.filled) return;
+    volume.filled = content->volume;
+    VoxelVolume& blocks = world.resource<VoxelVolumes>().at(volume.filled);
+    for (const auto& [cell, block] : volume.built) blocks.set({cell[0], cell[1], cell[2]}, block);
+}
+
 }  // namespace
 
 std::filesystem::path worlds_folder() {
@@ -77,11 +95,15 @@ std::filesystem::path worlds_folder() {
 void attach_world(App& app, std::unique_ptr<WorldFile> file) {
     World& world = app.world;
     SavedWorld saved;
-    for (auto [entity, generator] : Query<const VoxelGenerator>(world)) saved.volumes.push_back(entity);
+    for (auto [entity, generator] : Query<const VoxelGenerator>(world)) {
+        const Name* name = world.find<Name>(entity);
+        saved.volumes.push_back({.entity = entity, .name = name != nullptr ? name->value : "", .built = {}, .filled = {}});
+    }
     std::size_t lost = 0;
     for (const BlockEdit& edit : file->edits()) {
-        edit.volume < saved.volumes.size() ? set_block(world, saved.volumes[edit.volume], edit.cell, edit.block) : void(++lost);
+        edit.volume < saved.volumes.size() ? void(saved.volumes[edit.volume].built[{edit.cell.x, edit.cell.y, edit.cell.z}] = edit.block) : void(++lost);
     }
+    for (SavedWorld::Volume& volume : saved.volumes) build_again(world, volume);
     if (lost > 0) log::warn("{}: the scene {} has no place for {} changed blocks", file->path().string(), file->scene(), lost);
     const Entity camera = active_camera(world);
     if (const std::string player = file->text(player_key); camera && world.has<Transform>(camera) && !player.empty()) place_player(world, camera, player);
@@ -107,9 +129,12 @@ void finish_world(World& world) {
 void save_world(World& world) {
     auto& saved = world.resource<SavedWorld>();
     for (const EditJournal::Edit& edit : std::exchange(world.resource<EditJournal>().edits, {})) {
-        const auto volume = std::ranges::find(saved.volumes, edit.entity);
-        if (volume != saved.volumes.end()) saved.file->save({static_cast<std::uint32_t>(volume - saved.volumes.begin()), edit.cell, edit.block});
+        const auto volume = std::ranges::find(saved.volumes, edit.entity, &SavedWorld::Volume::entity);
+        if (volume == saved.volumes.end()) continue;
+        volume->built[{edit.cell.x, edit.cell.y, edit.cell.z}] = edit.block;
+        saved.file->save({static_cast<std::uint32_t>(volume - saved.volumes.begin()), edit.cell, edit.block});
     }
+    for (SavedWorld::Volume& volume : saved.volumes) build_again(world, volume);
     saved.unsaved += world.resource<FrameClock>().step;
     const Entity camera = active_camera(world);
     if (saved.unsaved < player_is_saved_every || !camera || !world.has<Transform>(camera)) return;

@@ -3,14 +3,23 @@
 
 #include "engine/ecs/app.h"
 #include "game/saving/world_file.h"
+#include "game/voxel_content.h"
 
 namespace sl {
 
 /// The world file of this game; a resource.
 struct SavedWorld {
     std::unique_ptr<WorldFile> file;
-    std::vector<Entity> volumes;  ///< voxel entities, by their numbers in the file
-    double unsaved = 0.0;         ///< s since player and crystals were last looked at
+    /// A voxel entity with all that was built in it, which goes in again where its blocks are made anew: the editor
+    /// may delete the entity and bring back another one of its name.
+    struct Volume {
+        Entity entity;
+        std::string name;
+        std::map<std::array<int, 3>, Block> built;
+        Handle<VoxelVolume> filled;  ///< holds it already
+    };
+    std::vector<Volume> volumes;  ///< by their numbers in the file
+    double unsaved = 0.0;  ///< s since player and crystals were last looked at
     std::map<std::string, std::string> texts;  ///< of them, as last saved
 };
 

@@ -17,14 +17,15 @@ struct PlayFlags {
 };
 
 /// The world of those who choose neither world nor scene.
-constexpr const char* first_world = "village.world";
+constexpr const char* first_world = "valley.world";
+constexpr const char* first_scene = "crystals";
 
 /// What a game is played in: a world that keeps changes, or a scene that does not.
 void choose_world(PlayFlags& flags) {
     PlaySettings& settings = flags.settings;
     if (flags.new_world && !flags.world) fail("--new needs to know where the world is to be: add --world PATH");
     if (flags.world && flags.scene && !flags.new_world) fail("--world {} names its scene itself: leave --scene out, or make another world with --new", *flags.world);
-    if (flags.scene) settings.scene.scene = *flags.scene;
+    settings.scene.scene = flags.scene.value_or(first_scene);
     settings.new_world = flags.new_world;
     if (flags.world) {
         settings.world = *flags.world;
@@ -57,8 +58,8 @@ void add_play_command(const Flags& program, const GlobalFlags& global) {
     const Flags command = program.command("play", "Open the game in a window (H lists the keys)");
     command.add("--scene", flags->scene, scene_flag_help);
     add_setting_flags(command, flags->settings.scene);
-    command.add("--world", flags->world, "World file that keeps all changes; without it and --scene, village.world in ~/.local/share/secondlight/worlds");
-    command.toggle("--new", flags->new_world, "Make that world, from --scene or the village");
+    command.add("--world", flags->world, "World file that keeps all changes; without it and --scene, valley.world in ~/.local/share/secondlight/worlds");
+    command.toggle("--new", flags->new_world, "Make that world, from --scene or the valley of the crystals");
     command.add("--size", flags->size, "Size of the window");
     command.toggle("--fullscreen", flags->settings.window.fullscreen,
                       "Fill the screen (F11 while playing)");

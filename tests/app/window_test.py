@@ -276,14 +276,14 @@ def change_worlds(screen, program, folder):
                 game.xdotool("key", key)
                 time.sleep(0.7)
 
-        game.wait("the game begins in the village", lambda: is_played("village"))
-        game.shot_when("village", "which is drawn", lambda p: brightness(p, "200x100+400+120") > 0.05)
+        game.wait("the game begins in the valley", lambda: is_played("valley"))
+        game.shot_when("valley", "which is drawn", lambda p: brightness(p, "200x100+400+120") > 0.05)
         choose("Escape", "Down", "Return", "Return", "Return")  # worlds, a new one, with the name and scene that are proposed
         game.wait("a new world is played", lambda: is_played("World 1"))
-        check(not is_played("village"), "and the first one is closed")
+        check(not is_played("valley"), "and the first one is closed")
         time.sleep(2.0)
         choose("Escape", "Down", "Return", "Down", "Down", "Down", "Return")  # past New world, Back and the one that is played
-        game.wait("the first one is played again", lambda: is_played("village") and not is_played("World 1"))
+        game.wait("the first one is played again", lambda: is_played("valley") and not is_played("World 1"))
         game.shot_when("again", "and drawn", lambda p: brightness(p, "200x100+400+120") > 0.05)
         game.quit()
     check((worlds / "Damaged.world").read_bytes() == b"no world" * 100, "a damaged world was left as it is")
