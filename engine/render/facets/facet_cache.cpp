@@ -15,6 +15,10 @@ namespace {
 /// else altogether.
 constexpr double dark_frames_take = 4.0;
 
+/// Noise from which on neighbours are asked, more than what any setting of gi.quality ends with: below it, what smoothing
+/// blurs costs more than what it steadies gains. And so much more noise has them asked in earnest.
+constexpr float smooth_above = 0.2f, smooth_fully = 0.2f;
+
 }  // namespace
 
 float FacetCache::update(const RenderScene& scene, const FrameParams& frame, const Facets& settings, const Budget& budget) {
@@ -72,6 +76,7 @@ void FacetCache::fill_table() {
         table_.place(shown_);
     }
     irradiance_.resize(corners_.size());
+    variance_.resize(corners_.size());
     struct Sums {
         double squares = 0.0, lit = 0.0;
         std::size_t memory = 0;
@@ -81,8 +86,12 @@ void FacetCache::fill_table() {
             const Corner& corner = corners_[i];
             irradiance_[i] = corner.lit ? corner.at.irradiance : vec3(0.0f);
             sums.memory += corner.at.memory();
+            variance_[i] = corner.lit ? 0.0f : -1.0f;
             if (!corner.lit || corner.at.by_chance.empty()) continue;
-            sums.squares += static_cast<double>(corner.spread) / static_cast<double>(corner.at.by_chance.size());
+            const Group& group = groups_[corner.group];
+            const float usual = group.judged > 0 ? group.spread / static_cast<float>(group.judged) : 0.0f, links = static_cast<float>(corner.at.by_chance.size());
+            variance_[i] = std::max(corner.spread, usual) / links;
+            sums.squares += static_cast<double>(corner.spread / links);
             ++sums.lit;
         }
         return sums;
@@ -91,6 +100,7 @@ void FacetCache::fill_table() {
     const Sums sums = tbb::parallel_deterministic_reduce(tbb::blocked_range<std::size_t>(0, corners_.size(), 1024), Sums{}, part, both);
     error_ = sums.lit > 0.0 ? static_cast<float>(std::sqrt(sums.squares / sums.lit)) : 0.0f;
     memory_ = sums.memory + patches_->memory();
+    smoothing_.smooth(shown_, irradiance_, variance_, std::clamp((error_ - smooth_above) / smooth_fully, 0.0f, 1.0f));
     table_.light(shown_, irradiance_);
 }
 

@@ -7,6 +7,7 @@
 #include "engine/ecs/components/gi_settings.h"
 #include "engine/render/facets/deadline.h"
 #include "engine/render/facets/facet_corner.h"
+#include "engine/render/facets/facet_smoothing.h"
 #include "engine/render/facets/facet_table.h"
 #include "engine/render/facets/patches.h"
 #include "engine/render/scene/frame_params.h"
@@ -155,6 +156,8 @@ class FacetCache {
     std::vector<FacetEntry> shown_;    ///< what the table holds
     bool shown_are_old_ = false;        ///< facets have come or gone, or have their first light
     std::vector<vec3> irradiance_;     ///< of all corners, for the table
+    std::vector<float> variance_;      ///< of that over its square; negative where there is no light
+    FacetSmoothing smoothing_;
     std::size_t memory_ = 0, most_memory_ = 0;  ///< bytes: taken, and at which what was not seen for long is forgotten
     float error_ = 0.0f;
     bool table_is_old_ = false;
