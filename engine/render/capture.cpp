@@ -34,7 +34,8 @@ Capture capture(App& app, Renderer& renderer, const CaptureSettings& settings) {
     Capture result;
     RenderScene scene;
     const ShownImage shown = parse_show(settings.show);
-    Renderer::Request request{.width = settings.width, .height = settings.height};
+    // Eyes that adapt have had all the time they need.
+    Renderer::Request request{.width = settings.width, .height = settings.height, .seconds = std::numeric_limits<float>::infinity()};
     auto& clock = app.world.resource<FrameClock>();
     for (std::uint32_t frame = 0; frame <= settings.frame; ++frame) {
         if (frame > 0) clock.advance();

@@ -11,6 +11,7 @@
 #include "game/app/hud_blocks.h"
 #include "game/app/hud_crystals.h"
 #include "game/block_tool.h"
+#include "game/crystals/crystals.h"
 #include "game/menu/keys_text.h"
 #include "game/notice.h"
 #include "game/saved_world.h"
@@ -75,6 +76,14 @@ std::string method_text(World& world) {
 TextBox status(App& app, const HudInput& input) {
     TextBox box;
     const double ms = input.frame_ms;
+    const std::string keys = fmt::format("{} panel  {} help", key_label(input.keys[Action::panel]), key_label(input.keys[Action::help]));
+    // Who plays looks for crystals; the panel is for figures.
+    if (const auto* search = app.world.find_resource<CrystalSearch>(); search != nullptr && search->all > 0 && !input.panel) {
+        box.line(fmt::format("{:.0f} fps", ms > 0.0 ? 1000.0 / ms : 0.0), faint);
+        if (!input.mouse_captured) box.line("click to look round", faint);
+        box.line(keys, faint);
+        return box;
+    }
     box.line(fmt::format("GI {}", method_text(app.world)));
     box.line(fmt::format("frame {:.1f} ms  {:.0f} fps", ms, ms > 0.0 ? 1000.0 / ms : 0.0));
     box.line(fmt::format("GI    {:.2f} ms", input.gi_ms));
@@ -87,7 +96,6 @@ TextBox status(App& app, const HudInput& input) {
     if (app.world.resource<VoxelStats>().chunks > 0) {
         box.line(fmt::format("block {}", block_info(app.world.resource<BlockTool>().held).name));
     }
-    const std::string keys = fmt::format("{} panel  {} help", key_label(input.keys[Action::panel]), key_label(input.keys[Action::help]));
     box.line(input.mouse_captured ? keys : "click to look round  " + keys, faint);
     return box;
 }

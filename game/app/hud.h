@@ -30,6 +30,7 @@ struct HudInput {
     double gi_ms = 0.0;
     const KeyBindings& keys;
     bool help = false;
+    bool panel = false;  ///< is open
     bool mouse_captured = false;
     std::span<const std::string> shader_errors;
     std::string failure;  ///< why there is no picture; empty when there is one

@@ -16,7 +16,7 @@ namespace {
 
 constexpr ImU32 ground = IM_COL32(0, 0, 0, 140), text_colour = IM_COL32(255, 255, 255, 255), faint = IM_COL32(255, 255, 255, 150);
 /// Farther off, a crystal's needs are not shown, m.
-constexpr float shown_within = 12.0f;
+constexpr float shown_within = 8.0f;
 constexpr int sparks = 90;
 
 /// A colour of light at full brightness.

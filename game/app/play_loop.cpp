@@ -196,6 +196,7 @@ void Play::show(uvec2 window_size) {
                     .gi_ms = gi_milliseconds(renderer_->executor().timers().newest()),
                     .keys = user_.values().keys,
                     .help = help_,
+                    .panel = editor_.open,
                     .mouse_captured = window_.mouse_captured(),
                     .shader_errors = renderer_->executor().programs().errors(),
                     .failure = failure_ ? failure_->text : ""});

@@ -50,8 +50,8 @@ void build_dawn(VoxelVolume& volume) {
     volume.fill({-5, 0, -32}, {9, 6, -15}, Block::stone);
     volume.fill({-3, 6, -30}, {7, 7, -18}, Block::grass);
     volume.fill({-5, -1, -32}, {9, 0, -15}, Block::cobblestone);
-    volume.fill({-1, 0, -28}, {1, 4, -15}, Block::air);
-    volume.fill({1, 0, -28}, {6, 4, -25}, Block::air);
+    volume.fill({-2, 0, -28}, {2, 4, -15}, Block::air);
+    volume.fill({2, 0, -28}, {6, 4, -25}, Block::air);
 }
 
 /// White inside, so that whatever is put where the sun falls colours the whole hall.
@@ -94,7 +94,7 @@ constexpr std::array<ivec3, 8> trees{{{-14, 0, -8}, {12, 0, 8}, {-10, 0, 26}, {3
 void generate_crystal_valley(VoxelVolume& volume, std::uint32_t seed) {
     build_ground(volume, seed);
     // Paths of sand lead from the middle to all five doors.
-    volume.fill({-1, -1, -15}, {1, 0, 12}, Block::sand);
+    volume.fill({-2, -1, -15}, {2, 0, 12}, Block::sand);
     volume.fill({-25, -1, -13}, {15, 0, -11}, Block::sand);
     volume.fill({13, -1, -24}, {15, 0, -11}, Block::sand);
     volume.fill({-26, -1, -17}, {-24, 0, -11}, Block::sand);

@@ -15,10 +15,6 @@ namespace {
 /// else altogether.
 constexpr double dark_frames_take = 4.0;
 
-/// Noise from which on neighbours are asked, more than what any setting of gi.quality ends with: below it, what smoothing
-/// blurs costs more than what it steadies gains. And so much more noise has them asked in earnest.
-constexpr float smooth_above = 0.2f, smooth_fully = 0.2f;
-
 }  // namespace
 
 float FacetCache::update(const RenderScene& scene, const FrameParams& frame, const Facets& settings, const Budget& budget) {
@@ -100,7 +96,7 @@ void FacetCache::fill_table() {
     const Sums sums = tbb::parallel_deterministic_reduce(tbb::blocked_range<std::size_t>(0, corners_.size(), 1024), Sums{}, part, both);
     error_ = sums.lit > 0.0 ? static_cast<float>(std::sqrt(sums.squares / sums.lit)) : 0.0f;
     memory_ = sums.memory + patches_->memory();
-    smoothing_.smooth(shown_, irradiance_, variance_, std::clamp((error_ - smooth_above) / smooth_fully, 0.0f, 1.0f));
+    if (!unfinished_.empty()) smoothing_.smooth(shown_, irradiance_, variance_);
     table_.light(shown_, irradiance_);
 }
 

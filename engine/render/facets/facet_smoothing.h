@@ -14,8 +14,8 @@ namespace sl {
 class FacetSmoothing {
   public:
     /// `irradiance` of all corners, lux, is changed in place. `variance` of each over its square; negative where there is
-    /// no light yet, which then neither speaks nor listens. `strength`: 0 (none) to 1.
-    void smooth(std::span<const FacetEntry> facets, std::span<vec3> irradiance, std::span<const float> variance, float strength);
+    /// no light yet, which then neither speaks nor listens.
+    void smooth(std::span<const FacetEntry> facets, std::span<vec3> irradiance, std::span<const float> variance);
 
   private:
     void know_surroundings(std::span<const FacetEntry> facets, std::span<const vec3> irradiance, std::span<const float> variance);
