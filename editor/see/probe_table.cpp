@@ -50,13 +50,14 @@ void live_rows(const ProbeReading& reading) {
 void truth_rows(const ProbeReading& reading) {
     if (!reading.truth) return row("path traced", "not yet");
     const LightMeter::Reading& truth = *reading.truth;
-    row("path traced", fmt::format("{}, noise {:.1f} %", light(truth.irradiance, "lux"), 100.0f * truth.noise));
+    row("path traced", light(truth.irradiance, "lux"));
+    row("its noise", fmt::format("{:.1f} %", 100.0f * truth.noise));
     const float right = luminance(truth.irradiance);
     if (reading.live && right > 0.0f) row("live is off by", fmt::format("{:+.1f} %", 100.0f * (luminance(reading.live->irradiance) / right - 1.0f)));
 }
 
 void light_rows(const World& world, const ProbeReading& reading) {
-    row("direct", reading.shadowed ? light(arriving(reading.lights), "lux") : light(arriving(reading.lights), "lux, unshadowed"));
+    row(reading.shadowed ? "direct" : "unshadowed", light(arriving(reading.lights), "lux"));
     for (std::size_t i = 0; i < std::min(reading.lights.size(), most_lights); ++i) {
         const LightShare& share = reading.lights[i];
         ImGui::PushID(static_cast<int>(i));
@@ -70,8 +71,8 @@ void texel_rows(const TexelShares& texels) {
     float drawn = 0.0f;
     for (const TexelShare& share : texels.strongest) drawn += luminance(share.irradiance);
     const float sum = luminance(texels.sum);
-    row("all RSM texels", light(texels.sum, "lux, at strength 1"));
-    if (sum > 0.0f) row("", fmt::format("{:.1f} % of it by the {} that lines lead to", 100.0f * drawn / sum, texels.strongest.size()));
+    row("all RSM texels", light(texels.sum, "lux"));
+    if (sum > 0.0f) row("", fmt::format("{:.1f} % by the {} with lines", 100.0f * drawn / sum, texels.strongest.size()));
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace {
 constexpr float most_stops = 12.0f;
 
 std::string label(const ListedImage& image) {
-    return image.layers > 0 ? fmt::format("{}  {} x {}, {} layers", image.name, image.size.x, image.size.y, image.layers) : fmt::format("{}  {} x {}", image.name, image.size.x, image.size.y);
+    return image.layers > 1 ? fmt::format("{}  {} x {}, {} layers", image.name, image.size.x, image.size.y, image.layers) : fmt::format("{}  {} x {}", image.name, image.size.x, image.size.y);
 }
 
 void choose_image(ShownImage& shown) {
