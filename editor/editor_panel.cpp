@@ -36,7 +36,6 @@ void tabs(App& app, const EditedScene& scene, const FrameReport& report, EditorS
     tab("Light", [&] { light_tab(scene, report, state.light); });
     tab("Scene", [&] { scene_tab(scene, state.scene); });
     tab("Compare", [&] { compare_tab(state.compare); });
-    state.see.picks = false;
     tab("See", [&] { see_tab(app.world, state.see); });
     tab("Picture", [&] { picture_tab(scene, report, state.picture); });
     tab("Frame", [&] { frame_tab(report, app.schedule, state.frame); });
@@ -49,6 +48,7 @@ void editor_panel(App& app, const FrameReport& report, EditorState& state) {
     if (!state.open) return;
     const EditedScene scene{app.world, app.registry(), state.history};
     place_window(state.scale);
+    state.see.picks = false;
     if (ImGui::Begin("Editor", &state.open)) {
         history_bar(scene);
         tabs(app, scene, report, state);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "editor/see/pixel_probe.h"
 
+#include "editor/see/rsm_normals.h"
+
 namespace sl {
 
 namespace {
@@ -13,7 +15,7 @@ std::optional<vec4> value_at(const Renderer& renderer, ImageId image, uvec2 pixe
 }
 
 std::optional<std::vector<RsmLayer>> rsm_layers(const Renderer& renderer) {
-    const ImageId position = renderer.graph().find_image("rsm_position"), flux = renderer.graph().find_image("rsm_flux");
+    const ImageId position = renderer.graph().find_image("rsm_position"), flux = renderer.graph().find_image(rsm_flux_image);
     if (!renderer.readable(position) || !renderer.readable(flux)) return std::nullopt;
     std::vector<RsmLayer> result;
     const std::uint32_t layers = renderer.graph().resources()[position.index].image.layers;
@@ -25,7 +27,7 @@ std::optional<std::vector<RsmLayer>> rsm_layers(const Renderer& renderer) {
 
 void PixelProbe::prepare(Renderer::Request& request) const {
     if (!picked_ && !reading_) return;
-    request.wanted_if_there.insert(request.wanted_if_there.end(), {"depth", "normal", "albedo", "direct", "hdr", "rsm_position", "rsm_flux"});
+    request.wanted_if_there.insert(request.wanted_if_there.end(), {"depth", "normal", "albedo", "direct", "hdr", "rsm_position", rsm_flux_image});
     request.want_irradiance = true;
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "editor/see/rsm_normals.h"
 #include "editor/text_over_picture.h"
 #include "engine/render/displayable.h"
 
@@ -24,13 +25,16 @@ std::vector<ListedImage> listed_images(const FrameGraph& graph) {
     for (const std::string& name : image_names(graph)) {
         const TextureDesc& desc = graph.resources()[graph.find_image(name).index].image;
         result.push_back({name, {desc.width, desc.height}, desc.layers});
+        if (name == rsm_flux_image) result.push_back({rsm_normal_image, {desc.width, desc.height}, desc.layers});
     }
     return result;
 }
 
 void ShownImage::prepare(Renderer::Request& request) const {
-    if (!name.empty()) request.wanted_if_there.push_back(name);
+    if (!name.empty()) request.wanted_if_there.push_back(holder());
 }
+
+std::string ShownImage::holder() const { return name == rsm_normal_image ? rsm_flux_image : name; }
 
 const ListedImage* ShownImage::chosen() const {
     const auto found = std::ranges::find(listed_, name, &ListedImage::name);
@@ -47,7 +51,7 @@ void ShownImage::update(const Renderer& renderer, float exposure, double seconds
     listed_ = listed_images(renderer.graph());
     until_read_ -= seconds;
     const ListedImage* image = chosen();
-    const ImageId id = image == nullptr ? ImageId{} : renderer.graph().find_image(name);
+    const ImageId id = image == nullptr ? ImageId{} : renderer.graph().find_image(holder());
     if (!renderer.readable(id)) return clear();
     layer = std::min(layer, std::max(image->layers, 1u) - 1);
     if (until_read_ <= 0.0 || source_ != Source{name, layer, stops}) read(renderer, id, exposure);
@@ -56,7 +60,8 @@ void ShownImage::update(const Renderer& renderer, float exposure, double seconds
 void ShownImage::read(const Renderer& renderer, ImageId image, float exposure) {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point start = Clock::now();
-    const Image values = renderer.read(image, layer);
+    Image values = renderer.read(image, layer);
+    if (name == rsm_normal_image) values = rsm_normals(values);
     const DisplayMapping mapping = display_mapping(name, values, exposure).brighter(stops);
     picture_.upload(displayable(values, mapping));
     range_ = mapping.range(name);

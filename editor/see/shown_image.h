@@ -13,7 +13,7 @@ struct ListedImage {
     std::uint32_t layers = 0;  ///< 0: it is no array
 };
 
-/// Of a frame's graph, by name.
+/// Of a frame's graph, by name; with the normals of reflective shadow maps.
 std::vector<ListedImage> listed_images(const FrameGraph& graph);
 
 /// Any image of the frame over the whole picture, read back and coloured a few times a second.
@@ -38,6 +38,8 @@ class ShownImage {
     const std::string& range() const { return range_; }
 
   private:
+    /// The image of the graph that holds the chosen one.
+    std::string holder() const;
     void read(const Renderer& renderer, ImageId image, float exposure);
     void clear();
 

@@ -88,7 +88,8 @@ TextBox status(App& app, const HudInput& input) {
         box.line(fmt::format("block {}", block_info(app.world.resource<BlockTool>().held).name));
     }
     const std::string keys = fmt::format("{} panel  {} help", key_label(input.keys[Action::panel]), key_label(input.keys[Action::help]));
-    box.line(input.mouse_captured ? keys : "click to look round  " + keys, faint);
+    const char* click = input.mouse_captured ? "" : input.click_measures ? "click to measure light  " : "click to look round  ";
+    box.line(click + keys, faint);
     return box;
 }
 

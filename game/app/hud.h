@@ -31,6 +31,7 @@ struct HudInput {
     const KeyBindings& keys;
     bool help = false;
     bool mouse_captured = false;
+    bool click_measures = false;  ///< and does not capture the mouse
     std::span<const std::string> shader_errors;
     std::string failure;  ///< why there is no picture; empty when there is one
 };

@@ -200,6 +200,7 @@ void Play::show(uvec2 window_size) {
                     .keys = user_.values().keys,
                     .help = help_,
                     .mouse_captured = window_.mouse_captured(),
+                    .click_measures = editor_.open && editor_.see.picks,
                     .shader_errors = renderer_->executor().programs().errors(),
                     .failure = failure_ ? failure_->text : ""});
     draw_compare_bar(editor_.compare, editor_.scale);
