@@ -52,6 +52,7 @@ void truth_rows(const ProbeReading& reading) {
     const LightMeter::Reading& truth = *reading.truth;
     row("path traced", light(truth.irradiance, "lux"));
     row("its noise", fmt::format("{:.1f} %", 100.0f * truth.noise));
+    row("of that bounced", light(truth.bounced, "lux"));
     const float right = luminance(truth.irradiance);
     if (reading.live && right > 0.0f) row("live is off by", fmt::format("{:+.1f} %", 100.0f * (luminance(reading.live->irradiance) / right - 1.0f)));
 }

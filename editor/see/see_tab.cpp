@@ -34,7 +34,9 @@ void image_section(ShownImage& shown) {
     choose_image(shown);
     if (shown.name.empty()) return ImGui::TextWrapped("Shows an image that the frame makes instead of the picture.");
     if (const ListedImage* image = shown.chosen(); image != nullptr && image->layers > 1) choose_layer(shown, image->layers);
+    ImGui::BeginDisabled(!shown.has_exposure());
     ImGui::SliderFloat("brighter", &shown.stops, -most_stops, most_stops, "%+.1f stops", ImGuiSliderFlags_AlwaysClamp);
+    ImGui::EndDisabled();
     if (ImGui::Button("Back to the picture")) shown.name.clear();
     if (!shown.range().empty()) {
         ImGui::TextWrapped("black to white: %s", shown.range().c_str());

@@ -44,6 +44,7 @@ const ListedImage* ShownImage::chosen() const {
 void ShownImage::clear() {
     picture_.clear();
     range_.clear();
+    has_exposure_ = false;
     source_ = {};
 }
 
@@ -65,6 +66,7 @@ void ShownImage::read(const Renderer& renderer, ImageId image, float exposure) {
     const DisplayMapping mapping = display_mapping(name, values, exposure).brighter(stops);
     picture_.upload(displayable(values, mapping));
     range_ = mapping.range(name);
+    has_exposure_ = mapping.has_exposure();
     source_ = {name, layer, stops};
     until_read_ = std::max(seconds_between, std::chrono::duration<double>(Clock::now() - start).count() / largest_share);
 }

@@ -36,6 +36,8 @@ class ShownImage {
     const ListedImage* chosen() const;
     /// What black and white stand for; empty while nothing is shown.
     const std::string& range() const { return range_; }
+    /// Whether `stops` means anything for what is shown.
+    bool has_exposure() const { return has_exposure_; }
 
   private:
     /// The image of the graph that holds the chosen one.
@@ -55,6 +57,7 @@ class ShownImage {
     std::vector<ListedImage> listed_;
     UploadedPicture picture_;
     std::string range_;
+    bool has_exposure_ = false;
     Source source_;
     double until_read_ = 0.0;  ///< s
 };

@@ -18,7 +18,8 @@ struct DisplayMapping {
     float exposure = 1.0f;  ///< multiplies nit
     float top = 1.0f;
 
-    /// Brighter by as many stops, where that means anything.
+    bool has_exposure() const { return kind != Kind::encoded && kind != Kind::directions; }
+    /// Brighter by as many stops, where there is an exposure.
     DisplayMapping brighter(float stops) const;
     /// What black and white stand for: "0 to 3.2e4 lux".
     std::string range(const std::string& name) const;
