@@ -36,6 +36,7 @@ void tabs(App& app, const EditedScene& scene, const FrameReport& report, EditorS
     tab("Light", [&] { light_tab(scene, report, state.light); });
     tab("Scene", [&] { scene_tab(scene, state.scene); });
     tab("Compare", [&] { compare_tab(state.compare); });
+    tab("See", [&] { see_tab(app.world, state.see); });
     tab("Picture", [&] { picture_tab(scene, report, state.picture); });
     tab("Frame", [&] { frame_tab(report, app.schedule, state.frame); });
     ImGui::EndTabBar();
@@ -47,12 +48,21 @@ void editor_panel(App& app, const FrameReport& report, EditorState& state) {
     if (!state.open) return;
     const EditedScene scene{app.world, app.registry(), state.history};
     place_window(state.scale);
+    state.see.picks = false;
     if (ImGui::Begin("Editor", &state.open)) {
         history_bar(scene);
         tabs(app, scene, report, state);
     }
     ImGui::End();
     if (const Entity chosen = selected_entity(scene, state.scene)) draw_light_gizmos(app.world, chosen, state.scale);
+}
+
+bool click_picture(EditorState& state) {
+    if (!state.open || !state.see.picks) return false;
+    const ImGuiViewport& screen = *ImGui::GetMainViewport();
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    state.see.probe.pick({(mouse.x - screen.Pos.x) / screen.Size.x, (mouse.y - screen.Pos.y) / screen.Size.y});
+    return true;
 }
 
 }  // namespace sl

@@ -19,6 +19,11 @@ void Projection::line(const dvec3& from, const dvec3& to, ImU32 colour, float wi
     ImGui::GetBackgroundDrawList()->AddLine(on_screen(a), on_screen(b), colour, width);
 }
 
+std::optional<ImVec2> Projection::at(const dvec3& point) const {
+    const vec3 seen = from_eye(point);
+    return -seen.z > near_ ? std::optional(on_screen(seen)) : std::nullopt;
+}
+
 vec3 Projection::from_eye(const dvec3& point) const {
     return glm::transpose(place_.linear) * vec3(point - place_.origin);
 }

@@ -3,6 +3,8 @@
 
 #include <imgui.h>
 
+#include <optional>
+
 #include "engine/ecs/components/camera.h"
 #include "engine/ecs/components/transform.h"
 
@@ -15,6 +17,8 @@ class Projection {
 
     /// Draws the part of a line that is before the camera, behind all widgets.
     void line(const dvec3& from, const dvec3& to, ImU32 colour, float width) const;
+    /// None behind the camera.
+    std::optional<ImVec2> at(const dvec3& point) const;
 
   private:
     vec3 from_eye(const dvec3& point) const;

@@ -4,20 +4,19 @@
 #include <algorithm>
 
 #include "editor/compare/compare_view.h"
+#include "editor/text_over_picture.h"
 
 namespace sl {
 
 namespace {
 
-constexpr ImU32 line = IM_COL32(255, 255, 255, 200), edge = IM_COL32(0, 0, 0, 140), ground = IM_COL32(0, 0, 0, 150);
+constexpr ImU32 line = IM_COL32(255, 255, 255, 200), edge = IM_COL32(0, 0, 0, 140);
 
 /// Beside the bar: its right edge (or its left one) at `x`.
 void label(const std::string& text, float x, bool left_of, float y) {
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
     const float gap = ImGui::GetFontSize() * 0.4f, from = left_of ? x - size.x - 2.0f * gap : x + 2.0f * gap;
-    ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    list.AddRectFilled(ImVec2(from - gap, y - gap), ImVec2(from + size.x + gap, y + size.y + gap), ground, gap);
-    list.AddText(ImVec2(from, y), IM_COL32_WHITE, text.c_str());
+    text_over_picture(text, ImVec2(from, y));
 }
 
 }  // namespace

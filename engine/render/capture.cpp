@@ -6,6 +6,7 @@
 
 #include "engine/core/clock.h"
 #include "engine/core/error.h"
+#include "engine/render/displayable.h"
 #include "engine/render/image_layers.h"
 #include "engine/render/refined_share.h"
 #include "engine/render/scene/extract.h"

@@ -29,8 +29,4 @@ struct Capture {
 /// Runs the world's systems and draws. Throws Error when `show` names no image.
 Capture capture(App& app, Renderer& renderer, const CaptureSettings& settings);
 
-/// An image of a frame as people can look at it: radiance exposed like the camera's picture, directions as colours,
-/// depth and other quantities scaled to their range.
-Image displayable(const std::string& name, const Image& image, float exposure);
-
 }  // namespace sl

@@ -31,6 +31,8 @@ class Executor {
     GLuint texture(const FrameGraph& graph, ImageId image) const;
     /// One layer's pixels as floats, bottom row first.
     std::vector<float> read(const FrameGraph& graph, ImageId image, std::uint32_t layer = 0) const;
+    /// The same of one texel, counted from the bottom left.
+    std::vector<float> read_texel(const FrameGraph& graph, ImageId image, uvec2 texel, std::uint32_t layer = 0) const;
 
     gl::ProgramCache& programs() { return programs_; }
     gl::SpanTimers& timers() { return timers_; }
@@ -42,6 +44,7 @@ class Executor {
     std::uint64_t texture_bytes() const;
 
   private:
+    const gl::Texture& readable(const FrameGraph& graph, ImageId image) const;
     void run_steps(const FrameGraph& graph, std::span<const Step> steps, const OnStep& on_step);
     void run_pass(const FrameGraph& graph, const PassRecord& pass);
     void bind_inputs(const FrameGraph& graph, const PassRecord& pass, const gl::Program& program);

@@ -112,12 +112,18 @@ GLuint Executor::framebuffer(const FrameGraph& graph, const PassRecord& pass) {
 
 GLuint Executor::texture(const FrameGraph& graph, ImageId image) const { return native(graph, image); }
 
-std::vector<float> Executor::read(const FrameGraph& graph, ImageId image, std::uint32_t layer) const {
+const gl::Texture& Executor::readable(const FrameGraph& graph, ImageId image) const {
     const ResourceRecord& resource = graph.resources()[image.index];
-    if (resource.lifetime == Lifetime::persistent) return persistent_.at(resource.name).texture->read(layer);
+    if (resource.lifetime == Lifetime::persistent) return *persistent_.at(resource.name).texture;
     const auto found = live_textures_.find(image.index);
     CHECK(found != live_textures_.end(), "'{}' was not wanted, so it is gone", resource.name);
-    return found->second->read(layer);
+    return *found->second;
+}
+
+std::vector<float> Executor::read(const FrameGraph& graph, ImageId image, std::uint32_t layer) const { return readable(graph, image).read(layer); }
+
+std::vector<float> Executor::read_texel(const FrameGraph& graph, ImageId image, uvec2 texel, std::uint32_t layer) const {
+    return readable(graph, image).read_texel(texel, layer);
 }
 
 std::uint64_t Executor::texture_bytes() const {

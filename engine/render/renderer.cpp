@@ -74,6 +74,15 @@ Image Renderer::read(ImageId image, std::uint32_t layer) const {
     return result;
 }
 
+vec4 Renderer::read_pixel(ImageId image, uvec2 pixel, std::uint32_t layer) const {
+    const TextureDesc& desc = graph_.resources()[image.index].image;
+    const uvec2 inside = glm::min(pixel, uvec2(desc.width, desc.height) - 1u);
+    const std::vector<float> values = executor_.read_texel(graph_, image, {inside.x, desc.height - 1 - inside.y}, layer);
+    vec4 result(0.0f);
+    for (std::size_t channel = 0; channel < values.size(); ++channel) result[static_cast<int>(channel)] = values[channel];
+    return result;
+}
+
 std::vector<std::string> image_names(const FrameGraph& graph) {
     std::set<std::string> names;
     for (const ResourceRecord& resource : graph.resources()) {

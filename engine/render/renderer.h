@@ -44,6 +44,10 @@ class Renderer {
 
     /// One layer of an image of the last frame as an Image, top row first.
     Image read(ImageId image, std::uint32_t layer = 0) const;
+    /// One pixel of it, counted from the top left; channels that it has not are 0. A black image of one pixel is black everywhere.
+    vec4 read_pixel(ImageId image, uvec2 pixel, std::uint32_t layer = 0) const;
+    /// Whether the image was kept in the last frame, so that it can be read.
+    bool readable(ImageId image) const { return image && executor_.texture(graph_, image) != 0; }
     /// The image of that name in the last frame; none when there is none. "irradiance" is always there: without indirect
     /// light it is a black pixel.
     ImageId find_image(std::string_view name) const;
@@ -51,6 +55,8 @@ class Renderer {
     const FrameGraph& graph() const { return graph_; }
     const std::vector<Step>& steps() const { return steps_; }
     Executor& executor() { return executor_; }
+    /// What the method `facets` keeps on surfaces; empty while another one runs that never did.
+    const FacetCache& facets() const { return facets_.cache; }
     /// Bytes of meshes and textures on the GPU.
     std::uint64_t gpu_bytes() const { return gpu_scene_.mesh_bytes() + executor_.texture_bytes(); }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "engine/core/error.h"
+#include "engine/render/displayable.h"
 #include "engine/render/reference/reference.h"
 #include "engine/render/reference/reference_file.h"
 #include "engine/render/scene/extract.h"

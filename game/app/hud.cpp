@@ -96,7 +96,8 @@ TextBox status(App& app, const HudInput& input) {
     if (app.world.resource<VoxelStats>().chunks > 0) {
         box.line(fmt::format("block {}", block_info(app.world.resource<BlockTool>().held).name));
     }
-    box.line(input.mouse_captured ? keys : "click to look round  " + keys, faint);
+    const char* click = input.mouse_captured ? "" : input.click_measures ? "click to measure light  " : "click to look round  ";
+    box.line(click + keys, faint);
     return box;
 }
 

@@ -32,6 +32,7 @@ struct HudInput {
     bool help = false;
     bool panel = false;  ///< is open
     bool mouse_captured = false;
+    bool click_measures = false;  ///< and does not capture the mouse
     std::span<const std::string> shader_errors;
     std::string failure;  ///< why there is no picture; empty when there is one
 };

@@ -137,7 +137,7 @@ void Play::window_keys(Input& input) {
 
 void Play::capture_on_click(Input& input) {
     if (menu_.is_open() || window_.mouse_captured() || !input.pressed(MouseButton::left)) return;
-    window_.capture_mouse(true);
+    if (!click_picture(editor_)) window_.capture_mouse(true);
     input.ignore_mouse();
 }
 
@@ -155,10 +155,12 @@ void Play::render(uvec2 window_size) {
                               .slice_budget = budget_.slices()};
     if (editor_.picture.wish == PictureFormat::exr) want_linear_layers(request);
     editor_.compare.prepare(scene_, request);
+    editor_.see.prepare(request);
     if (editor_.open) request.wanted_if_there.push_back(refined_image);
     try {
         result_ = renderer_->render(scene_, request);
         editor_.compare.update(scene_, request, *renderer_, result_, request.seconds);
+        editor_.see.update({scene_, *renderer_, result_, picture_size_, request.seconds, &app_.world.resource<LightMeter>()});
     } catch (const Error& error) {
         // A shader that was never good. What the frame left half done goes with the renderer.
         log::error("{}", error.what());
@@ -191,6 +193,7 @@ void Play::show(uvec2 window_size) {
         const GLuint picture = renderer_->executor().texture(renderer_->graph(), result_.images.final);
         editor_.compare.on ? show_compared(window_size) : presenter_.show(picture, picture_size_, window_size);
     }
+    editor_.see.draw(app_.world, editor_.scale);
     draw_hud(app_, {.frame = result_,
                     .frame_ms = meter_.milliseconds(),
                     .gi_ms = gi_milliseconds(renderer_->executor().timers().newest()),
@@ -198,6 +201,7 @@ void Play::show(uvec2 window_size) {
                     .help = help_,
                     .panel = editor_.open,
                     .mouse_captured = window_.mouse_captured(),
+                    .click_measures = editor_.open && editor_.see.picks,
                     .shader_errors = renderer_->executor().programs().errors(),
                     .failure = failure_ ? failure_->text : ""});
     draw_compare_bar(editor_.compare, editor_.scale);

@@ -5,7 +5,7 @@
 
 #include "engine/core/error.h"
 #include "engine/core/log.h"
-#include "engine/render/capture.h"
+#include "engine/render/displayable.h"
 #include "engine/render/reference/reference.h"
 #include "engine/render/reference/reference_file.h"
 #include "engine/render/scene/extract.h"

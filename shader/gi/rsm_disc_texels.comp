@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Packs all layers' texels into one array, in order.
-#include "lib/rsm_texel.glsl"
+#include "shared/rsm_texel.h"
 #include "shared/rsm.h"
 
 layout(local_size_x = 64) in;

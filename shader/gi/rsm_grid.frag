@@ -2,7 +2,7 @@
 // Algorithm 1 of "Global illumination based on RSM" (2024), to the letter, one slice of it: a regular grid over the map,
 // a distance attenuation with a hard cutoff, and thresholds on angles that drop texels at once.
 #include "lib/gbuffer.glsl"
-#include "lib/rsm_texel.glsl"
+#include "shared/rsm_texel.h"
 #include "shared/view.h"
 
 layout(std140) uniform Gather { RsmGatherParams gather; };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Gathering a receiver's light from a disc of RSM texels round its own projection (Dachsbacher & Stamminger 2005).
-#include "lib/rsm_texel.glsl"
+#include "shared/rsm_texel.h"
 #include "shared/lights.h"
 #include "shared/rsm.h"
 #include "shared/view.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Turns each texel that a light sees into a small light: where it is, which way it faces, and the flux it reflects.
 #include "lib/surface.glsl"
-#include "lib/rsm_texel.glsl"
+#include "shared/rsm_texel.h"
 #include "shared/lights.h"
 #include "shared/view.h"
 

@@ -27,6 +27,7 @@ using glm::min;
 using glm::mix;
 using glm::normalize;
 using glm::pow;
+using glm::round;
 using glm::sqrt;
 using glm::uintBitsToFloat;
 using glm::uvec4;

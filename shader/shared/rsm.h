@@ -15,7 +15,7 @@ struct RsmTexel {
 /// The same in 32 bytes, for gathers in random order, which pay for each word. Flux in full floats: half floats end at 65,504
 /// of whatever unit, and a lamp close to a surface lights it with more than any unit fit for moonlight holds.
 struct RsmPackedTexel {
-    vec4 position;  ///< xyz: m; w: packed normal (lib/rsm_texel.glsl)
+    vec4 position;  ///< xyz: m; w: packed normal (shared/rsm_texel.h)
     vec4 light;     ///< rgb: reflected flux, lumen; w: patch area, m²
 };
 

@@ -65,7 +65,7 @@ TEST_F(ShaderLibrary, OctahedralMatchesThePackedVertexNormal) {
 
 TEST_F(ShaderLibrary, PackedTexelNormalIsCloseAndExactOnAxes) {
     const auto directions = random_directions(3);
-    const auto back = run("#include \"lib/rsm_texel.glsl\"\n", "    result = vec4(unpack_texel_normal(pack_texel_normal(a.xyz)), 0.0 * b.x);", directions, directions);
+    const auto back = run("#include \"shared/rsm_texel.h\"\n", "    result = vec4(unpack_texel_normal(pack_texel_normal(a.xyz)), 0.0 * b.x);", directions, directions);
     for (std::size_t i = 0; i < count; ++i) {
         ASSERT_GT(glm::dot(vec3(back[i]), vec3(directions[i])), 0.999999f) << "within 0.08 degrees";
         if (i < 6) {

@@ -17,6 +17,13 @@ namespace sl {
 /// Side of a facet over its distance from the camera.
 float facet_side_over_distance(const FrameParams& frame, const Facets& settings);
 
+/// A facet as people can look at it.
+struct FacetOutline {
+    std::array<vec3, 4> corners;  ///< round it
+    vec3 irradiance{0.0f};        ///< mean of its corners, lux
+    float noise = 0.0f;           ///< largest standard error at a corner, over its irradiance
+};
+
 /// Irradiance kept where it is needed, on the surfaces themselves: the visible surfaces are cut into facets some pixels
 /// wide, and light is gathered at their corners from patches of all surfaces, with everything that may stand in its way.
 /// What sees what stays while the camera and lights move; when lights change, light alone is renewed. No GL.
@@ -36,6 +43,8 @@ class FacetCache {
     float error() const { return error_; }
     /// Bytes that corners and patches take, about.
     std::size_t memory() const { return memory_; }
+    /// The facets from which pixels take their light, nearest to a place first. Costs a look at all of them.
+    std::vector<FacetOutline> outlines_near(vec3 place, std::size_t most) const;
     /// Counts up when the table changes.
     std::uint64_t version() const { return version_; }
 

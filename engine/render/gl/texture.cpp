@@ -105,14 +105,21 @@ void Texture::upload(std::uint32_t mip, std::uint32_t layer, std::span<const std
     }
 }
 
-std::vector<float> Texture::read(std::uint32_t layer) const {
+std::vector<float> Texture::read(std::uint32_t layer) const { return read_region(uvec2(0), {desc_.width, desc_.height}, layer); }
+
+std::vector<float> Texture::read_texel(uvec2 texel, std::uint32_t layer) const {
+    CHECK(texel.x < desc_.width && texel.y < desc_.height, "no texel {}, {} in a texture of {}x{}", texel.x, texel.y, desc_.width, desc_.height);
+    return read_region(texel, uvec2(1), layer);
+}
+
+std::vector<float> Texture::read_region(uvec2 from, uvec2 extent, std::uint32_t layer) const {
     CHECK(id_ != 0 && layer < std::max(desc_.layers, 1u), "no layer {} in a texture of {}", layer,
           desc_.layers);
     const FormatNames names = format_names(desc_.format);
     const std::uint32_t channels = channel_count(desc_.format);
-    std::vector<float> values(std::size_t{desc_.width} * desc_.height * channels);
+    std::vector<float> values(std::size_t{extent.x} * extent.y * channels);
     const auto get = [&](GLenum type, void* out) {
-        glGetTextureSubImage(id_, 0, 0, 0, size(layer), size(desc_.width), size(desc_.height), 1,
+        glGetTextureSubImage(id_, 0, size(from.x), size(from.y), size(layer), size(extent.x), size(extent.y), 1,
                              names.layout, type, static_cast<GLsizei>(values.size() * sizeof(float)), out);
     };
     if (names.type == GL_UNSIGNED_INT) {

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/core/math.h"
 #include "engine/render/format.h"
 #include "engine/render/gl/gl.h"
 #include "engine/render/program_desc.h"
@@ -42,8 +43,11 @@ class Texture {
     /// Reads one layer of mip 0 as floats (channels as the format has them, depth as 1), bottom row first.
     /// sRGB colours come decoded, as a shader sees them. Slow.
     std::vector<float> read(std::uint32_t layer = 0) const;
+    /// The same of one texel, counted from the bottom left.
+    std::vector<float> read_texel(uvec2 texel, std::uint32_t layer = 0) const;
 
   private:
+    std::vector<float> read_region(uvec2 from, uvec2 extent, std::uint32_t layer) const;
     void swap(Texture& other) noexcept {
         std::swap(id_, other.id_);
         std::swap(desc_, other.desc_);

@@ -66,6 +66,7 @@ void extract_draws(World& world, RenderScene& scene) {
         if (mesh == nullptr || mesh->indices.empty()) continue;
         RenderScene::Draw draw;
         draw.mesh = instance.mesh;
+        draw.entity = entity;
         draw.world_from_local = mat4(transform.linear);
         draw.world_from_local[3] = vec4(relative(transform, scene.origin), 1.0f);
         std::uint64_t own_material = 0;
@@ -98,7 +99,7 @@ void extract_lights(World& world, RenderScene& scene) {
         scene.lights.push_back({.kind = Light::Kind::directional, .direction = forward_of(transform),
                                 .intensity = light.colour * light.illuminance, .casts_shadow = light.casts_shadow,
                                 .bounces = light.bounces, .shadow_size = light.shadow_size,
-                                .shadow_distance = light.shadow_distance});
+                                .shadow_distance = light.shadow_distance, .entity = entity});
     }
     for (auto [entity, light, transform] : Query<const SpotLight, const WorldTransform>(world)) {
         if (light.intensity <= 0.0f) continue;
@@ -106,12 +107,12 @@ void extract_lights(World& world, RenderScene& scene) {
                                 .direction = forward_of(transform), .intensity = light.colour * light.intensity,
                                 .range = light.range, .inner_cone = std::min(light.inner_cone, light.outer_cone),
                                 .outer_cone = light.outer_cone, .casts_shadow = light.casts_shadow,
-                                .bounces = light.bounces, .shadow_size = light.shadow_size});
+                                .bounces = light.bounces, .shadow_size = light.shadow_size, .entity = entity});
     }
     for (auto [entity, light, transform] : Query<const PointLight, const WorldTransform>(world)) {
         if (light.intensity <= 0.0f) continue;
         scene.lights.push_back({.kind = Light::Kind::point, .position = relative(transform, scene.origin),
-                                .intensity = light.colour * light.intensity, .range = light.range});
+                                .intensity = light.colour * light.intensity, .range = light.range, .entity = entity});
     }
     scene.sky_radiance = vec3(0.0f);
     for (auto [entity, sky] : Query<const SkyLight>(world)) scene.sky_radiance += sky.colour * sky.luminance;

@@ -7,6 +7,7 @@
 #include "engine/core/mesh_data.h"
 #include "engine/ecs/components/gi_settings.h"
 #include "engine/ecs/components/mesh_instance.h"
+#include "engine/ecs/entity.h"
 
 namespace sl {
 
@@ -35,6 +36,7 @@ struct RenderScene {
         std::uint64_t content = 0;  ///< hash of everything that can change how it looks in a light's map
         std::uint64_t content_before = 0;  ///< the same with the mesh's last version
         Bounds changed;             ///< where the two differ; empty: anywhere
+        Entity entity{};            ///< that it was made from, if any
     };
 
     struct Light {
@@ -50,6 +52,7 @@ struct RenderScene {
         bool bounces = false;
         std::uint32_t shadow_size = 1024;
         float shadow_distance = 100.0f;  ///< m, directional
+        Entity entity{};                 ///< that it was made from, if any
 
         bool operator==(const Light&) const = default;
     };

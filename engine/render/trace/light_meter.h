@@ -36,6 +36,9 @@ class LightMeter {
     /// Does nothing while nobody asks. Throws Error when the ray tracer does not start.
     void update(const RenderScene& scene);
 
+    /// The scene as it is traced; null while nobody asks for light. Until the next update.
+    const TransportWorld* world() const { return world_.get(); }
+
   private:
     struct Point {
         dvec3 position;
