@@ -154,26 +154,26 @@ def edit_settings(screen, program, folder):
 
 
 def look_into_the_frame(screen, program, folder):
-    print("cornell: an image of the frame, the light at one point, and back", flush=True)
-    picture, table = "140x220+110+100", "200x100+350+190"
+    print("cornell: the light at one point, and an image of the frame", flush=True)
+    picture, table, lines = "140x220+110+100", "200x100+350+190", "100x60+150+300"
     with Game(screen, program, folder / "seen", "cornell", "--size", "640x360", "--gi", "rsm_disc") as game:
+        def click(x, y):
+            game.xdotool("mousemove", str(x), str(y))
+            time.sleep(0.7)
+            game.xdotool("click", "1")
+            time.sleep(0.7)
+
         game.shot_when("start", "the picture is not black", lambda p: brightness(p, picture) > 0.02)
         game.xdotool("key", "F1")
         game.shot_when("panel", "F1 shows the panel", lambda p: brightness(p, table) > 0.02)
-        game.xdotool("mousemove", "435", "60", "click", "1")
-        game.shot_when("tab", "the tab See is nearly empty", lambda p: brightness(p, table) < 0.05)
-        before = game.settled_shot("before", picture)
-        game.xdotool("mousemove", "200", "350", "click", "1")
-        game.shot_when("measured", "a click fills the table and draws lines",
-                       lambda p: brightness(p, table) > 0.05 and difference(before, p, "100x60+150+300") > 0.01)
-        game.xdotool("mousemove", "500", "83")
-        time.sleep(0.5)
-        game.xdotool("click", "1")
-        time.sleep(1.0)
-        game.xdotool("mousemove", "440", "118")
-        time.sleep(0.5)
-        game.xdotool("click", "1")
-        game.shot_when("image", "the first image of the list covers the picture", lambda p: difference(before, p, picture) > 0.05)
+        click(435, 60)
+        before = game.settled_shot("before", table)
+        click(200, 350)
+        game.shot_when("measured", "a click measures a point: a table and lines",
+                       lambda p: difference(before, p, table) > 0.02 and difference(before, p, lines) > 0.005)
+        click(495, 83)
+        click(440, 118)
+        game.shot_when("image", "the chosen image covers the picture", lambda p: difference(before, p, picture) > 0.05)
         game.quit()
 
 
