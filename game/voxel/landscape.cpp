@@ -28,9 +28,8 @@ int mountains(std::uint32_t seed, ivec2 column) {
 }  // namespace
 
 int height(std::uint32_t seed, ivec2 column) {
-    const int hills = centred(seed, column, 230, 44) + centred(seed + 1, column, 89, 22) + centred(seed + 2, column, 37, 8) +
-                      centred(seed + 3, column, 13, 3);
-    return std::clamp(4 + hills + mountains(seed + 4, column), bottom + 8, highest);
+    const int hills = centred(seed, column, 230, 38) + centred(seed + 1, column, 89, 20) + centred(seed + 2, column, 37, 6);
+    return std::clamp(9 + hills + mountains(seed + 4, column), bottom + 8, highest);
 }
 
 Ground ground(std::uint32_t seed, ivec2 column, int height, int steepness) {
