@@ -78,8 +78,7 @@ void build_again(World& world, SavedWorld::Volume& volume) {
     const auto* content = volume.entity ? world.find<VoxelContent>(volume.entity) : nullptr;
     if (content == nullptr || content->volume == volume.filled) return;
     volume.filled = content->volume;
-    VoxelVolume& blocks = world.resource<VoxelVolumes>().at(volume.filled);
-    for (const auto& [cell, block] : volume.built) blocks.set({cell[0], cell[1], cell[2]}, block);
+    for (const auto& [cell, block] : volume.built) put_block(world, volume.entity, {cell[0], cell[1], cell[2]}, block);
 }
 
 }  // namespace

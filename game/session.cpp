@@ -18,6 +18,7 @@
 #include "game/crystals/crystals.h"
 #include "game/gi_presets.h"
 #include "game/source_folder.h"
+#include "game/streaming/terrain_stream.h"
 #include "game/voxel_content.h"
 
 namespace sl {
@@ -85,6 +86,7 @@ void choose_gi(App& app, const std::string& gi) {
 App open_scene(const SceneChoice& choice) {
     App app;
     add_voxel_world(app);
+    add_terrain_streaming(app);
     add_crystals(app);
     app.world.add_resource(FrameClock{});
     read_scene(app.world, app.registry(), scene_path(choice.scene));

@@ -6,18 +6,15 @@
 #include "engine/ecs/components.h"
 #include "engine/ecs/parent.h"
 #include "engine/ecs/query.h"
+#include "game/streaming/terrain_stream.h"
 #include "game/voxel/block_textures.h"
 #include "game/voxel/generators.h"
 #include "game/voxel/raycast.h"
+#include "game/voxel_chunks.h"
 
 namespace sl {
 
 namespace {
-
-/// Statistics of one chunk's mesh, kept so that totals follow edits.
-struct ChunkMesh {
-    MeshStats stats;
-};
 
 MaterialTable block_material_table() {
     MaterialTable table;
@@ -43,13 +40,8 @@ TextureLayers block_texture_layers() {
     return result;
 }
 
-void drop_chunk(World& world, Entity chunk) {
-    if (const auto* mesh = world.find<MeshInstance>(chunk)) world.resource<MeshPool>().erase(mesh->mesh);
-    world.destroy(chunk);
-}
-
 void drop_content(World& world, VoxelContent& content) {
-    for (const auto& [key, chunk] : content.chunks) drop_chunk(world, chunk);
+    for (const auto& [key, chunk] : content.chunks) destroy_chunk(world, chunk);
     world.resource<VoxelVolumes>().erase(content.volume);
 }
 
@@ -61,33 +53,14 @@ void make_content(World& world, Entity entity, const VoxelGenerator& generator) 
     world.add(entity, VoxelContent{.volume = world.resource<VoxelVolumes>().insert(std::move(volume)), .made_by = generator});
 }
 
-void mesh_changed_chunk(World& world, Entity owner, VoxelContent& content, const VoxelVolume& volume, ivec3 key) {
-    const std::array<int, 3> map_key{key.x, key.y, key.z};
-    ChunkMesh built;
-    MeshData mesh = mesh_chunk(volume, key, &built.stats);
-    const auto found = content.chunks.find(map_key);
-    if (mesh.indices.empty()) {
-        if (found != content.chunks.end()) {
-            drop_chunk(world, found->second);
-            content.chunks.erase(found);
-        }
-        return;
-    }
-    auto& pool = world.resource<MeshPool>();
-    if (found == content.chunks.end()) {
-        const Transform place{.translation = dvec3(chunk_low(key)) * double{volume.block_size()}};
-        content.chunks[map_key] = world.create(place, Parent{owner}, MeshInstance{pool.insert(std::move(mesh)), 0}, built);
-        return;
-    }
-    MeshData& old = pool.at(world.get<MeshInstance>(found->second).mesh);
-    mesh.version = old.version + 1;
+void mesh_changed_chunk(World& world, Entity owner, const VoxelVolume& volume, ivec3 key) {
+    MeshStats stats;
+    MeshData mesh = mesh_chunk(volume, key, &stats);
     // A hair more than the blocks: faces of those beside them lie in their sides.
     const float block = volume.block_size();
     const VoxelVolume::Box box = volume.changed_box(key);
     const vec3 low = vec3(box.low - chunk_low(key)) * block, high = vec3(box.high - chunk_low(key)) * block;
-    mesh.changed = Bounds{low, high}.grown(0.01f * block);
-    old = std::move(mesh);
-    world.get<ChunkMesh>(found->second) = built;
+    show_chunk(world, owner, {key, std::move(mesh), stats}, Bounds{low, high}.grown(0.01f * block));
 }
 
 /// An entity that lost its generator, or was destroyed, leaves chunks and a volume behind.
@@ -96,7 +69,7 @@ void drop_orphans(World& world) {
     for (auto [entity, chunk, parent] : Query<const ChunkMesh, const Parent>(world)) {
         if (!world.alive(parent.entity) || !world.has<VoxelGenerator>(parent.entity)) orphans.push_back(entity);
     }
-    for (const Entity orphan : orphans) drop_chunk(world, orphan);
+    for (const Entity orphan : orphans) destroy_chunk(world, orphan);
 
     std::vector<Entity> emptied;
     std::set<Handle<VoxelVolume>> held;
@@ -152,19 +125,14 @@ void voxel_content(World& world) {
     std::vector<Entity> owners;
     for (auto [entity, content] : Query<const VoxelContent>(world)) owners.push_back(entity);
     for (const Entity owner : owners) {
-        auto& content = world.get<VoxelContent>(owner);
-        VoxelVolume& volume = world.resource<VoxelVolumes>().at(content.volume);
+        VoxelVolume& volume = world.resource<VoxelVolumes>().at(world.get<VoxelContent>(owner).volume);
         for (const ivec3 key : volume.take_changed_chunks()) {
-            mesh_changed_chunk(world, owner, content, volume, key);
+            mesh_changed_chunk(world, owner, volume, key);
             ++remeshed;
         }
     }
     drop_orphans(world);
-    if (remeshed > 0 || !missing.empty()) {
-        count_stats(world, remeshed);
-    } else {
-        world.resource<VoxelStats>().remeshed = 0;
-    }
+    count_stats(world, remeshed);
 }
 
 void add_voxel_world(App& app) {
@@ -193,10 +161,19 @@ std::optional<BlockPick> pick_block(World& world, const dvec3& origin, vec3 dire
     return nearest;
 }
 
-void set_block(World& world, Entity entity, ivec3 cell, Block block) {
+void put_block(World& world, Entity entity, ivec3 cell, Block block) {
     const auto* content = world.find<VoxelContent>(entity);
     if (content == nullptr) return;
+    if (auto* stream = world.find<TerrainStream>(entity)) {
+        stream->keep(cell, block);
+        if (!stream->is_loaded(column_of(cell))) return;
+    }
     world.resource<VoxelVolumes>().at(content->volume).set(cell, block);
+}
+
+void set_block(World& world, Entity entity, ivec3 cell, Block block) {
+    if (!world.has<VoxelContent>(entity)) return;
+    put_block(world, entity, cell, block);
     if (auto* journal = world.find_resource<EditJournal>()) journal->edits.push_back({entity, cell, block});
 }
 

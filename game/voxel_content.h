@@ -61,7 +61,10 @@ struct BlockPick {
     ivec3 normal{0};
 };
 std::optional<BlockPick> pick_block(World& world, const dvec3& origin, vec3 direction, float max_distance);
-/// Sets a block of a voxel entity; its chunk is meshed again at the next frame.
+/// Sets a block of a voxel entity; its chunk is meshed again at the next frame. Where land is not loaded, it will be there when
+/// the land is.
+void put_block(World& world, Entity entity, ivec3 cell, Block block);
+/// The same, and the journal tells of it, so that games save it.
 void set_block(World& world, Entity entity, ivec3 cell, Block block);
 
 }  // namespace sl

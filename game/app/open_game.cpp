@@ -10,6 +10,7 @@
 #include "game/notice.h"
 #include "game/player/player.h"
 #include "game/saved_world.h"
+#include "game/streaming/terrain_stream.h"
 
 namespace sl {
 
@@ -20,6 +21,8 @@ App open_game(PlaySettings settings) {
         settings.scene.scene = file->scene();
     }
     App app = open_scene(settings.scene);
+    // What is near is there; from now on nothing waits for the rest.
+    app.world.resource<TerrainView>().at_once = false;
     add_light_keys(app);
     add_block_tool(app);
     add_fly_camera(app);

@@ -39,9 +39,11 @@ void stand_where(Player& player, const dvec3& eyes) {
     player.unspent = 0.0;
 }
 
-void begin(Player& player, const dvec3& eyes, const Surroundings& around) {
-    player.decided = true;
+void begin(Player& player, const dvec3& eyes, World& world) {
     stand_where(player, eyes);
+    if (!land_is_there(world, player.body.box())) return;
+    player.decided = true;
+    const Surroundings around = voxel_surroundings(world);
     BodyBox below = player.body.box();
     below.high.y = below.low.y;
     below.low.y = eyes.y - near_ground;
@@ -65,7 +67,7 @@ void walk(World& world) {
     auto& fly = world.resource<FlyCamera>();
     const bool bound = world.has<Parent>(camera);
     // Not before it is known where things stand.
-    if (!player.decided && world.has<WorldTransform>(camera)) begin(player, place->translation, voxel_surroundings(world));
+    if (!player.decided && world.has<WorldTransform>(camera)) begin(player, place->translation, world);
     choose_flight(world, player, input);
     fly.active = player.flying || bound;
     if (fly.active) {
@@ -76,6 +78,8 @@ void walk(World& world) {
     if (input.mouse_delta != vec2(0.0f)) place->rotation = look_turned(place->rotation, input.mouse_delta * fly.radians_per_unit);
     const BodyWish wish = wish_of(input, place->rotation);
     player.unspent = std::min(player.unspent + world.resource<FrameClock>().step, most_unspent);
+    // Whoever comes to land that is still to come waits for it.
+    if (!land_is_there(world, player.body.box())) player.unspent = 0.0;
     const Surroundings around = voxel_surroundings(world);
     for (; player.unspent >= Player::step; player.unspent -= Player::step) {
         player.before = player.body;

@@ -35,7 +35,7 @@ void visit_fields(FieldVisitor& visit, PictureSettings& picture) {
     visit.field("render_scale", picture.render_scale, {.min = 0.05, .max = 4, .help = "Pixels drawn per pixel shown, along each axis; less is quicker and coarser."});
     visit.field("scene_field_of_view", picture.scene_field_of_view, {.help = "Leaves the field of view as the scene has it."});
     visit.field("field_of_view", picture.field_of_view, {.min = 0.5236, .max = 2.0944, .unit = "rad", .help = "Vertical angle of view, where it is not the scene's; more shows more and makes things smaller.", .look = FieldLook::angle});
-    visit.field("view_distance", picture.view_distance, {.min = 32, .max = 4096, .unit = "m", .help = "How far off land is made and shown in worlds that go on without end; more costs memory and time.", .look = FieldLook::logarithmic});
+    visit.field("view_distance", picture.view_distance, {.min = 32, .max = 512, .unit = "m", .help = "How far off land is made and shown in worlds that go on without end; more costs memory and time.", .look = FieldLook::logarithmic});
 }
 
 void visit_fields(FieldVisitor& visit, LightSettings& light) {

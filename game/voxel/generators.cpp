@@ -17,7 +17,7 @@ struct Generator {
 using Volume = VoxelVolume;
 using Settings = GeneratorSettings;
 
-constexpr std::array<Generator, 8> generators{{
+constexpr std::array<Generator, 9> generators{{
     {"paper_world",
      [](Volume& volume, const Settings& settings) { generate_paper_world(volume, settings.seed); }},
     {"crystal_valley",
@@ -36,6 +36,7 @@ constexpr std::array<Generator, 8> generators{{
      [](Volume& volume, const Settings& settings) {
          generate_room(volume, settings.size, RoomKind::cornell);
      }},
+    {endless_generator, [](Volume&, const Settings&) {}},
 }};
 
 constexpr auto names = [] {

@@ -14,6 +14,9 @@ struct GeneratorSettings {
     ivec3 size{8, 6, 8};  ///< interior of the rooms, extent of "terrain" in x and z; blocks, each at least 1
 };
 
+/// The generator whose blocks come and go with the camera.
+inline constexpr std::string_view endless_generator = "endless";
+
 /// The names that generate() knows.
 std::span<const std::string_view> generator_names();
 
@@ -21,6 +24,7 @@ std::span<const std::string_view> generator_names();
 ///   paper_world       a village clearing between terraced hills, for 0.5 m blocks; see paper_world.h
 ///   crystal_valley    a meadow with the five shrines of the game, for 0.5 m blocks; see crystal_valley.h
 ///   terrain           rolling hills without end, `size` wide round the origin
+///   endless           nothing at once: the system stream_terrain brings what is near; see endless_terrain.h
 ///   creature          a four-legged animal, 20 x 16 x 10 blocks, looking along +x, for 1/16 m blocks
 ///   tree_small        a bush-like tree, 16 x 24 x 16 blocks, for 1/16 m blocks
 ///   room              a closed white box with interior [0, size)

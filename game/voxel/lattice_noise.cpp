@@ -47,4 +47,18 @@ int value_noise(std::uint32_t seed, int x, int y, int cell_x, int cell_y, int pe
     return (below / one * (one - up) + above / one * up) / one;
 }
 
+NoiseLine::NoiseLine(std::uint32_t seed, int x, int z, int low, int high, int cell)
+    : cell_(cell), first_level_(floor_div(low, cell)) {
+    for (int level = first_level_; level <= floor_div(high, cell) + 1; ++level) {
+        levels_.push_back(value_noise(lattice_hash(seed, level, 0), x, z, cell, cell));
+    }
+}
+
+int NoiseLine::at(int y) const {
+    const int level = floor_div(y, cell_);
+    const int up = smoothstep((y - level * cell_) * one / cell_);
+    const auto below = static_cast<std::size_t>(level - first_level_);
+    return (levels_[below] * (one - up) + levels_[below + 1] * up) / one;
+}
+
 }  // namespace sl

@@ -87,6 +87,17 @@ std::vector<ivec3> VoxelVolume::chunk_keys() const {
     return keys;
 }
 
+void VoxelVolume::insert_chunk(ivec3 key, const Chunk& chunk) {
+    if (chunk.count == 0) return;
+    const bool fresh = chunks_.try_emplace(key, chunk).second;
+    CHECK(fresh, "chunk {} {} {} is there already", key.x, key.y, key.z);
+}
+
+void VoxelVolume::erase_chunk(ivec3 key) {
+    chunks_.erase(key);
+    changed_.erase(key);
+}
+
 std::vector<ivec3> VoxelVolume::take_changed_chunks() {
     taken_ = std::exchange(changed_, {});
     std::vector<ivec3> keys;

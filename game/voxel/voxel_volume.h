@@ -64,6 +64,10 @@ class VoxelVolume {
     const Chunk* chunk(ivec3 key) const;
     /// Keys of all chunks with a block in them, sorted.
     std::vector<ivec3> chunk_keys() const;
+    /// Takes in a whole chunk, where there is none, which does not count as a change: who brings it brings its mesh.
+    void insert_chunk(ivec3 key, const Chunk& chunk);
+    /// Makes all of it air, which does not count as a change either.
+    void erase_chunk(ivec3 key);
     /// Keys of the chunks whose mesh may have changed since the last call, sorted: those written with another
     /// kind and the existing ones that touch a written block. A key without a chunk says that the chunk
     /// became air.
