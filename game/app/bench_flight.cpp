@@ -51,6 +51,7 @@ int run_flight(const GlobalFlags& global, const FlightFlags& flags) {
         glFinish();
         frames.push_back(seconds_since(frame_start));
         all.push_back(frames.back());
+        world.resource<FrameClock>().step = frames.back();
         world.get<Transform>(active_camera(world)).translation.x += flags.speed * frames.back();
         if (seconds_since(start) < part_end) continue;
         print_part(fmt::format("{:.0f}", part_end), std::exchange(frames, {}), world);
