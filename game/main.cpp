@@ -31,6 +31,7 @@ int run(int argc, char** argv) {
                 sl::add_bench_changes_command(bench, flags);
                 sl::add_bench_growth_command(bench, flags);
                 sl::add_bench_motion_command(bench, flags);
+                sl::add_bench_flight_command(bench, flags);
                 sl::add_bench_gi_command(bench, flags);
                 sl::add_bench_rays_command(bench);
             },

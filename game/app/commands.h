@@ -22,6 +22,7 @@ void add_bench_onoff_command(const Flags& bench, const GlobalFlags& flags);
 void add_bench_changes_command(const Flags& bench, const GlobalFlags& flags);
 void add_bench_growth_command(const Flags& bench, const GlobalFlags& flags);
 void add_bench_motion_command(const Flags& bench, const GlobalFlags& flags);
+void add_bench_flight_command(const Flags& bench, const GlobalFlags& flags);
 void add_bench_gi_command(const Flags& bench, const GlobalFlags& flags);
 void add_bench_rays_command(const Flags& bench);
 void add_reference_command(const Flags& program);

@@ -3,8 +3,9 @@
 
 #include <tbb/parallel_for.h>
 
-#include <cmath>
+#include <algorithm>
 
+#include "engine/core/clock.h"
 #include "engine/ecs/active_camera.h"
 #include "engine/ecs/components.h"
 #include "engine/ecs/parent.h"
@@ -18,8 +19,9 @@ namespace {
 
 /// Columns beyond the view distance that stay, so that going to and fro makes nothing anew.
 constexpr int slack = 2;
-/// Of those that job threads have finished, so many are taken in per frame: each must be uploaded, and light reach it.
-constexpr std::size_t taken_per_frame = 2;
+/// Of those that job threads have finished, so many are taken in per second: each must be uploaded, and light reach it. Slow
+/// frames take more, or a flight would leave the land behind.
+constexpr double taken_per_second = 60.0, most_taken = 8.0;
 constexpr std::size_t built_together = 64;
 
 bool is_endless(const VoxelGenerator& generator) {
@@ -95,7 +97,8 @@ void build_at_once(World& world, const Section& section, TerrainStream& stream, 
 }
 
 void build_in_background(World& world, const Section& section, TerrainStream& stream, const std::vector<ivec2>& near) {
-    for (BuiltColumn& built : stream.jobs->take(section.centre, taken_per_frame)) {
+    const double taken = std::clamp(world.resource<FrameClock>().step * taken_per_second, 1.0, most_taken);
+    for (BuiltColumn& built : stream.jobs->take(section.centre, static_cast<std::size_t>(taken))) {
         const bool wanted = distance_squared(built.column, section.centre) <= section.radius * section.radius;
         if (wanted && !stream.is_loaded(built.column)) take_in(world, section, stream, std::move(built));
     }

@@ -29,7 +29,7 @@ struct TerrainView {
 /// Keeps the columns round the active camera, and no others.
 void stream_terrain(World& world);
 
-/// Endless terrain as a plugin; goes after add_voxel_world, so that the first frame is whole.
+/// Endless terrain as a plugin; goes after add_voxel_world, so that the first frame is whole. Needs a FrameClock when it runs.
 void add_terrain_streaming(App& app);
 
 }  // namespace sl

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "engine/render/gl/gl.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "engine/core/clock.h"
+#include "engine/ecs/components.h"
+#include "game/app/bench_window.h"
+#include "game/app/own_process.h"
+#include "game/streaming/terrain_stream.h"
+
+namespace sl {
+
+namespace {
+
+struct FlightFlags {
+    std::string scene = "endless", size = "640x360", gi = "facets";
+    double speed = 10.0, seconds = 60.0, height = 30.0, view_distance = 128.0;
+};
+
+using Watch = std::chrono::steady_clock;
+
+double seconds_since(Watch::time_point start) {
+    return std::chrono::duration<double>(Watch::now() - start).count();
+}
+
+void print_part(const std::string& name, std::vector<double> frames, const World& world) {
+    if (frames.empty()) return;
+    std::ranges::sort(frames);
+    const auto at = [&](double share) { return 1e3 * frames[static_cast<std::size_t>(share * static_cast<double>(frames.size() - 1))]; };
+    fmt::print("{:<14}{:>8}{:>10.1f}{:>10.1f}{:>10.1f}{:>10}{:>10.0f}\n", name, frames.size(), at(0.5), at(0.99), at(1.0), world.resource<MeshPool>().size(), resident_megabytes());
+    std::fflush(stdout);
+}
+
+int run_flight(const GlobalFlags& global, const FlightFlags& flags) {
+    Headless headless(global);
+    BenchWindow window{.app = open_scene({.scene = flags.scene, .gi = flags.gi, .sets = {}}), .size = parse_size(flags.size)};
+    World& world = window.app.world;
+    world.resource<TerrainView>() = {.distance = flags.view_distance, .at_once = false};
+    auto& place = world.get<Transform>(active_camera(world));
+    place.translation.y = flags.height;
+    fmt::print("{}\n{:<14}{:>8}{:>10}{:>10}{:>10}{:>10}{:>10}\n", headless.context->renderer(), "flown, s", "frames", "median ms", "p99 ms", "worst ms", "meshes", "MB");
+    std::vector<double> frames, all;
+    constexpr double part = 10.0;
+    double part_end = part;
+    for (const auto start = Watch::now(); seconds_since(start) < flags.seconds;) {
+        const auto frame_start = Watch::now();
+        window.draw(false);
+        // A window waits here as well.
+        glFinish();
+        frames.push_back(seconds_since(frame_start));
+        all.push_back(frames.back());
+        world.resource<FrameClock>().step = frames.back();
+        world.get<Transform>(active_camera(world)).translation.x += flags.speed * frames.back();
+        if (seconds_since(start) < part_end) continue;
+        print_part(fmt::format("{:.0f}", part_end), std::exchange(frames, {}), world);
+        part_end += part;
+    }
+    print_part("all", all, world);
+    headless.check_errors();
+    return 0;
+}
+
+}  // namespace
+
+void add_bench_flight_command(const Flags& bench, const GlobalFlags& global) {
+    auto flags = std::make_shared<FlightFlags>();
+    const Flags command = bench.command("flight", "Frame times and memory while the camera flies straight ahead over endless terrain, which comes as in a window");
+    command.add("--scene", flags->scene, "Scene to fly over");
+    command.add("--gi", flags->gi, "GI method");
+    command.add("--size", flags->size, "WIDTHxHEIGHT in pixels");
+    command.add("--speed", flags->speed, "m/s; a block is half a metre").within(0.0, 1000.0);
+    command.add("--seconds", flags->seconds, "How long to fly").within(1.0, 3600.0);
+    command.add("--height", flags->height, "Of the camera, m").within(-1000.0, 1000.0);
+    command.add("--view-distance", flags->view_distance, "How far off land is made, m").within(32.0, 512.0);
+    command.runs([&global, flags] { return run_flight(global, *flags); });
+}
+
+}  // namespace sl
