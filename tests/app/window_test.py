@@ -92,7 +92,8 @@ def play_outdoor(screen, program, folder):
         # No sun reaches this wall. Light from sunlit sides of the hole makes it 0.017 bright; with maps from before the hole,
         # in which the ground faces away from it, only far-off trees would: 0.005.
         wall = "12x6+228+145"
-        check(brightness(hole, wall) > 0.01, "indirect light has come into the hole")
+        game.shot_when("lit", "indirect light comes into the hole", lambda p: brightness(p, wall) > 0.01)
+        hole = game.settled_shot("hole", middle)
         game.toggle_gi()
         game.shot_when("hole_gi_off", "without it the hole's wall is black", lambda p: brightness(p, wall) == 0.0)
         game.toggle_gi()

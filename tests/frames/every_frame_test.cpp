@@ -15,11 +15,12 @@
 namespace sl {
 namespace {
 
-/// All scenes but the base that others include; it has no active camera.
+/// All scenes but the base that others include, which has no active camera, and endless land, which is the valley in a land
+/// that takes seconds to make and has tests of its own.
 std::vector<std::string> scenes() {
     std::vector<std::string> names;
     for (const SceneListing& listing : scene_names()) {
-        if (listing.name != "village") names.push_back(listing.name);
+        if (listing.name != "village" && listing.name != "endless") names.push_back(listing.name);
     }
     return names;
 }
