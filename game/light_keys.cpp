@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "engine/core/clock.h"
 #include "engine/core/input.h"
@@ -19,6 +20,7 @@ namespace {
 constexpr float azimuth_speed = 0.8f;    // rad/s
 constexpr float elevation_speed = 0.4f;  // rad/s
 constexpr float exposure_speed = 2.0f;   // EV/s
+constexpr float drag_speed = 0.003f;     // rad per unit of mouse movement
 
 static_assert(std::is_same_v<std::variant_alternative_t<0, GiMethod>, GiOff>);
 
@@ -55,25 +57,48 @@ void exposure_keys(World& world, const Input& input, Entity camera, float second
     world.resource<Notice>().say(fmt::format("exposure EV {:.1f}", settings.ev100));
 }
 
-void sun_keys(World& world, const Input& input, float seconds) {
-    const float turn = std::clamp(
-        input.axis(Key::right, Key::left) + input.axis(Key::right_bracket, Key::left_bracket), -1.0f, 1.0f);
-    const float rise = input.axis(Key::up, Key::down);
-    if (turn == 0.0f && rise == 0.0f) return;
+void turn_suns(World& world, float right, float up) {
+    if (right == 0.0f && up == 0.0f) return;
     for (auto [entity, sun] : Query<SunAngles>(world)) {
-        sun.azimuth = std::remainder(sun.azimuth + turn * azimuth_speed * seconds, 2.0f * pi);
-        sun.elevation = std::clamp(sun.elevation + rise * elevation_speed * seconds, -0.5f * pi, 0.5f * pi);
+        sun.azimuth = std::remainder(sun.azimuth + right, 2.0f * pi);
+        sun.elevation = std::clamp(sun.elevation + up, -0.5f * pi, 0.5f * pi);
         world.resource<Notice>().say(fmt::format("sun: azimuth {:.0f} deg, elevation {:.0f} deg",
                                                  glm::degrees(sun.azimuth), glm::degrees(sun.elevation)));
     }
 }
 
+void sun_keys(World& world, const Input& input, float seconds) {
+    const float turn = std::clamp(
+        input.axis(Key::right, Key::left) + input.axis(Key::right_bracket, Key::left_bracket), -1.0f, 1.0f);
+    const float rise = input.axis(Key::up, Key::down);
+    turn_suns(world, turn * azimuth_speed * seconds, rise * elevation_speed * seconds);
+}
+
+void drag_sun(World& world, Input& input) {
+    if (!input.active(Key::m) || input.active(Key::control)) return;
+    const vec2 moved = std::exchange(input.mouse_delta, vec2(0.0f)) * drag_speed;
+    turn_suns(world, moved.x, -moved.y);
+}
+
+void stop_or_go(World& world, const Input& input) {
+    if (!input.pressed(Key::n) || input.active(Key::control)) return;
+    std::string said = "in this scene the sun stands still";
+    for (auto [entity, day] : Query<DayCycle>(world)) {
+        day.runs = !day.runs;
+        const auto minute = static_cast<int>(day.hour * 60.0);
+        said = fmt::format("{:02}:{:02}, the day {}", minute / 60 % 24, minute % 60, day.runs ? "goes on" : "stands still");
+    }
+    world.resource<Notice>().say(said);
+}
+
 }  // namespace
 
 void light_keys(World& world) {
-    const auto& input = world.resource<Input>();
+    auto& input = world.resource<Input>();
     const auto seconds = static_cast<float>(world.resource<FrameClock>().step);
     sun_keys(world, input, seconds);
+    drag_sun(world, input);
+    stop_or_go(world, input);
     const Entity camera = active_camera(world);
     if (!camera) return;
     method_keys(world, input, camera);

@@ -13,7 +13,8 @@ struct LightKeys {
 };
 
 /// G goes to the next GI method of the active camera, O turns GI off and on; [ ] and left/right turn every
-/// sun, up/down raise and lower it, + and - brighten and darken the picture.
+/// sun, up/down raise and lower it, and so does the mouse while M is held, which then turns nothing else; N stops a day
+/// and lets it go on; + and - brighten and darken the picture.
 void light_keys(World& world);
 
 void add_light_keys(App& app);

@@ -22,6 +22,7 @@ int run(int argc, char** argv) {
                 sl::add_capture_command(line, flags);
                 sl::add_tour_command(line, flags);
                 sl::add_list_command(line, flags);
+                sl::add_export_command(line);
                 sl::add_reference_command(line);
                 sl::add_merge_command(line);
                 sl::add_compare_command(line);
@@ -29,6 +30,7 @@ int run(int argc, char** argv) {
                 bench.needs_command();
                 sl::add_bench_onoff_command(bench, flags);
                 sl::add_bench_changes_command(bench, flags);
+                sl::add_bench_day_command(bench, flags);
                 sl::add_bench_growth_command(bench, flags);
                 sl::add_bench_motion_command(bench, flags);
                 sl::add_bench_flight_command(bench, flags);

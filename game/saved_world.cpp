@@ -21,6 +21,7 @@ constexpr double player_is_saved_every = 1.0;  // s
 constexpr double longest_wait = 3.0;           // s
 constexpr const char* player_key = "player";
 constexpr const char* crystals_key = "crystals";
+constexpr const char* day_key = "day";
 
 std::string player_text(World& world, Entity camera) {
     const auto& place = world.get<Transform>(camera);
@@ -45,6 +46,37 @@ void place_player(World& world, Entity camera, const std::string& text) {
     auto& place = world.get<Transform>(camera);
     place.translation = {at[0], at[1], at[2]};
     place.rotation = glm::normalize(rotation);
+}
+
+/// Empty in scenes without a day.
+std::string day_text(World& world) {
+    for (auto [entity, day] : Query<const DayCycle>(world)) {
+        // While it runs, tenths are enough: nothing is to be written every second of a day that nobody plays.
+        const double hour = day.runs ? std::floor(day.hour * 10.0) / 10.0 : day.hour;
+        return nlohmann::json{{"hour", hour}, {"declination", day.declination}, {"runs", day.runs}}.dump();
+    }
+    return {};
+}
+
+/// Nothing where the text is none of day_text.
+void set_day(World& world, const std::string& text) {
+    const auto json = nlohmann::json::parse(text, nullptr, false);
+    const auto number = [&](const char* key, double most) {
+        const bool there = json.is_object() && json.contains(key) && json[key].is_number();
+        const double value = there ? json[key].template get<double>() : std::numeric_limits<double>::quiet_NaN();
+        return std::abs(value) <= most ? std::optional<double>(value) : std::nullopt;
+    };
+    const auto hour = number("hour", 24.0), declination = number("declination", 1.5708);
+    if (!hour || *hour < 0.0 || !declination || !json.contains("runs") || !json["runs"].is_boolean()) {
+        return log::warn("the world does not tell which hour it was; it begins as the scene does");
+    }
+    for (auto [entity, day] : Query<DayCycle>(world)) {
+        day.hour = *hour;
+        day.declination = static_cast<float>(*declination);
+        day.runs = json["runs"].get<bool>();
+        day.shown = {};
+        return;
+    }
 }
 
 /// Nothing where the text is no list of names.
@@ -107,6 +139,7 @@ void attach_world(App& app, std::unique_ptr<WorldFile> file) {
     const Entity camera = active_camera(world);
     if (const std::string player = file->text(player_key); camera && world.has<Transform>(camera) && !player.empty()) place_player(world, camera, player);
     if (const std::string awake = file->text(crystals_key); !awake.empty()) wake_crystals(world, awake);
+    if (const std::string day = file->text(day_key); !day.empty()) set_day(world, day);
     saved.file = std::move(file);
     // From now on, and not what was just read.
     world.add_resource(EditJournal{});
@@ -134,12 +167,14 @@ void save_world(World& world) {
         saved.file->save({static_cast<std::uint32_t>(volume - saved.volumes.begin()), edit.cell, edit.block});
     }
     for (SavedWorld::Volume& volume : saved.volumes) build_again(world, volume);
+    // Unlike a step of the player, a crystal that woke must not be lost.
+    if (world.find_resource<CrystalSearch>() != nullptr) save_changed(saved, crystals_key, nlohmann::json(awake_crystals(world)).dump());
     saved.unsaved += world.resource<FrameClock>().step;
     const Entity camera = active_camera(world);
     if (saved.unsaved < player_is_saved_every || !camera || !world.has<Transform>(camera)) return;
     saved.unsaved = 0.0;
-    if (world.find_resource<CrystalSearch>() != nullptr) save_changed(saved, crystals_key, nlohmann::json(awake_crystals(world)).dump());
     save_changed(saved, player_key, player_text(world, camera));
+    if (std::string day = day_text(world); !day.empty()) save_changed(saved, day_key, std::move(day));
 }
 
 }  // namespace sl

@@ -19,7 +19,7 @@ struct SavedWorld {
         Handle<VoxelVolume> filled;  ///< holds it already
     };
     std::vector<Volume> volumes;  ///< by their numbers in the file
-    double unsaved = 0.0;  ///< s since player and crystals were last looked at
+    double unsaved = 0.0;  ///< s since player and day were last looked at
     std::map<std::string, std::string> texts;  ///< of them, as last saved
 };
 
@@ -28,7 +28,7 @@ struct SavedWorld {
 std::filesystem::path worlds_folder();
 
 /// Puts what a world file holds into its scene, just opened, and saves what changes from then on: blocks that are set, and
-/// where the player is.
+/// where the player is, and the hour of the day.
 void attach_world(App& app, std::unique_ptr<WorldFile> file);
 
 /// Before another world takes the place of this one: saves where the player is now and waits until all is on disk. Throws Error

@@ -3,9 +3,12 @@
 
 #include <set>
 
+#include "engine/core/error.h"
+#include "engine/core/log.h"
 #include "engine/ecs/components.h"
 #include "engine/ecs/parent.h"
 #include "engine/ecs/query.h"
+#include "game/camera_in_water.h"
 #include "game/streaming/terrain_stream.h"
 #include "game/voxel/block_textures.h"
 #include "game/voxel/generators.h"
@@ -46,21 +49,28 @@ void drop_content(World& world, VoxelContent& content) {
 }
 
 void make_content(World& world, Entity entity, const VoxelGenerator& generator) {
-    if (auto* old = world.find<VoxelContent>(entity)) drop_content(world, *old);
+    auto* old = world.find<VoxelContent>(entity);
     VoxelVolume volume(generator.block_size);
-    const GeneratorSettings settings{.seed = generator.seed, .size = ivec3(generator.width, generator.height, generator.depth)};
-    generate(volume, generator_names()[generator.generator], settings);
+    const GeneratorSettings settings{.seed = generator.seed, .size = ivec3(generator.width, generator.height, generator.depth), .blocks = generator.blocks};
+    try {
+        generate(volume, generator_names()[generator.generator], settings);
+    } catch (const Error& error) {
+        if (old == nullptr) throw;
+        // Somebody edits it: what was there stays until it is right.
+        log::error("{}", error.what());
+        old->made_by = generator;
+        return;
+    }
+    if (old != nullptr) drop_content(world, *old);
     world.add(entity, VoxelContent{.volume = world.resource<VoxelVolumes>().insert(std::move(volume)), .made_by = generator});
 }
 
 void mesh_changed_chunk(World& world, Entity owner, const VoxelVolume& volume, ivec3 key) {
-    MeshStats stats;
-    MeshData mesh = mesh_chunk(volume, key, &stats);
     // A hair more than the blocks: faces of those beside them lie in their sides.
     const float block = volume.block_size();
     const VoxelVolume::Box box = volume.changed_box(key);
     const vec3 low = vec3(box.low - chunk_low(key)) * block, high = vec3(box.high - chunk_low(key)) * block;
-    show_chunk(world, owner, {key, std::move(mesh), stats}, Bounds{low, high}.grown(0.01f * block));
+    show_chunk(world, owner, meshed_chunk(volume, key), Bounds{low, high}.grown(0.01f * block));
 }
 
 /// An entity that lost its generator, or was destroyed, leaves chunks and a volume behind.
@@ -111,6 +121,7 @@ void visit_fields(FieldVisitor& visit, VoxelGenerator& generator) {
     visit.field("width", generator.width, extent);
     visit.field("height", generator.height, extent);
     visit.field("depth", generator.depth, extent);
+    visit.field("blocks", generator.blocks, {.help = "The blocks of the generator \"region\", as `secondlight export` writes them."});
 }
 
 void voxel_content(World& world) {
@@ -142,6 +153,7 @@ void add_voxel_world(App& app) {
     app.world.add_resource(block_material_table());
     app.world.add_resource(block_texture_layers());
     app.schedule.add(Stage::simulate, "voxel_content", &voxel_content);
+    app.schedule.add(Stage::mesh, "camera_in_water", &camera_in_water);
 }
 
 std::optional<BlockPick> pick_block(World& world, const dvec3& origin, vec3 direction, float max_distance) {
@@ -153,7 +165,7 @@ std::optional<BlockPick> pick_block(World& world, const dvec3& origin, vec3 dire
         const vec3 local_direction = local_from_world * direction;
         const float scale = glm::length(local_direction) / glm::length(direction);
         if (!(scale > 0.0f) || !std::isfinite(scale)) continue;
-        const auto hit = raycast(world.resource<VoxelVolumes>().at(content.volume), local_origin, local_direction, reach * scale);
+        const auto hit = raycast(world.resource<VoxelVolumes>().at(content.volume), local_origin, local_direction, reach * scale, Block::water);
         if (!hit) continue;
         reach = hit->distance / scale;
         nearest = BlockPick{entity, hit->cell, hit->normal};

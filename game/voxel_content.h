@@ -16,6 +16,7 @@ struct VoxelGenerator {
     std::uint32_t seed = 1;
     float block_size = 0.5f;
     std::uint32_t width = 8, height = 6, depth = 8;
+    std::string blocks{};  ///< as region_text writes them
 
     bool operator==(const VoxelGenerator&) const = default;
 };
@@ -51,10 +52,10 @@ struct VoxelStats {
 /// Generates missing content and meshes changed chunks: one entity per chunk, child of the content's entity.
 void voxel_content(World& world);
 
-/// The voxel world as a plugin: block materials and textures, the component "voxels", the system.
+/// The voxel world as a plugin: block materials and textures, the component "voxels", the systems.
 void add_voxel_world(App& app);
 
-/// The block that a ray meets first in any voxel entity, in world space.
+/// The block that a ray meets first in any voxel entity, in world space; water does not stop it.
 struct BlockPick {
     Entity entity;
     ivec3 cell{0};

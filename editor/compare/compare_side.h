@@ -22,6 +22,8 @@ class CompareSide {
     /// Draws the same scene by this side's method, if it has one of its own.
     void draw(RenderScene scene, const Renderer::Request& request);
     ShownPicture drawn();
+    /// Lets go of what drawing needs.
+    void rest();
 
   private:
     std::unique_ptr<Renderer> renderer_;  ///< while the source is a method

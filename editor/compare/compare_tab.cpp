@@ -70,10 +70,18 @@ void legend() {
     ImGui::TextUnformatted("100 % off and more");
 }
 
+/// Of the screen's width: its middle, or the middle of what the panel leaves free beside it where it hides that.
+float split_in_the_open() {
+    const ImGuiViewport& screen = *ImGui::GetMainViewport();
+    const float low = (ImGui::GetWindowPos().x - screen.Pos.x) / screen.Size.x, high = low + ImGui::GetWindowWidth() / screen.Size.x;
+    if (low > 0.5f || high < 0.5f) return 0.5f;
+    return low > 1.0f - high ? 0.5f * std::max(low, 0.0f) : 0.5f * (1.0f + std::min(high, 1.0f));
+}
+
 }  // namespace
 
 void compare_tab(CompareView& view) {
-    ImGui::Checkbox("Compare", &view.on);
+    if (ImGui::Checkbox("Compare", &view.on) && view.on) view.split = split_in_the_open();
     if (!view.on) return ImGui::TextWrapped("Shows two pictures of one view side by side, and how far the light of the live one is from the path-traced truth.");
     choose_source("left", view.left.source);
     choose_source("right", view.right.source);

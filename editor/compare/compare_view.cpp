@@ -38,6 +38,8 @@ void CompareView::update(const RenderScene& scene, const Renderer::Request& requ
         reference_.reset();
         shown_reference_.reset();
         worker_.forget();
+        left.rest();
+        right.rest();
         return;
     }
     const uvec2 size(request.width, request.height);

@@ -34,6 +34,7 @@ void register_engine_components(ComponentRegistry& registry) {
     registry.add<GiSettings>("gi");
     registry.add<DirectionalLight>("directional_light");
     registry.add<SunAngles>("sun");
+    registry.add<DayCycle>("day_cycle");
     registry.add<SpotLight>("spot_light");
     registry.add<PointLight>("point_light");
     registry.add<SkyLight>("sky");

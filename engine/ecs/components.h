@@ -3,6 +3,7 @@
 
 // Every component of the engine that people can set, for whoever works on all of them.
 #include "engine/ecs/components/camera.h"
+#include "engine/ecs/components/day_cycle.h"
 #include "engine/ecs/components/gi_settings.h"
 #include "engine/ecs/components/lights.h"
 #include "engine/ecs/components/material.h"

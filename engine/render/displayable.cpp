@@ -66,7 +66,7 @@ DisplayMapping display_mapping(const std::string& name, const Image& image, floa
     using Kind = DisplayMapping::Kind;
     if (is_any_of(name, {"final", "ldr", "material", "refined"})) return {.kind = Kind::encoded};
     if (name.ends_with("normal")) return {.kind = Kind::directions};
-    if (is_any_of(name, {"hdr", "direct", "emission"})) return {.kind = Kind::radiance, .exposure = exposure};
+    if (is_any_of(name, {"hdr", "hdr_water", "direct", "emission"})) return {.kind = Kind::radiance, .exposure = exposure};
     if (name.starts_with("irradiance") || name.ends_with("_partial")) return {.kind = Kind::irradiance, .exposure = exposure};
     return {.kind = Kind::scaled, .top = name == "albedo" ? 1.0f : bright_end(image)};
 }

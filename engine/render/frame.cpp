@@ -3,13 +3,16 @@
 
 #include "engine/render/passes/compose.h"
 #include "engine/render/passes/direct_light.h"
+#include "engine/render/passes/water.h"
 
 namespace sl {
 
 FrameOutput build_frame(const FrameInput& frame) {
     FrameOutput output;
     output.gbuffer = gbuffer(frame);
-    output.direct = direct_light(frame, output.gbuffer, shadow_maps(frame));
+    const ShadowMaps shadows = shadow_maps(frame);
+    output.next_suns_are_drawn = shadows.next_is_drawn;
+    output.direct = direct_light(frame, output.gbuffer, shadows);
 
     const GiMethod method = frame.scene.gi ? frame.scene.gi->method : GiMethod{GiOff{}};
     frame.graph.group(gi_group);
@@ -21,7 +24,8 @@ FrameOutput build_frame(const FrameInput& frame) {
     output.gi_error = gi.error;
 
     output.hdr = compose(frame, output.gbuffer, output.direct, output.irradiance);
-    const ImageId ldr = tonemap(frame, output.hdr);
+    const ImageId seen = water(frame, {.gbuffer = output.gbuffer, .shadows = shadows, .hdr = output.hdr, .irradiance = output.irradiance});
+    const ImageId ldr = tonemap(frame, seen);
     output.final = frame.scene.view->antialias ? antialias(frame, ldr) : ldr;
     return output;
 }

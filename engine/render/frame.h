@@ -8,13 +8,14 @@ namespace sl {
 /// A frame's images that people ask for; all handles are of this frame's graph.
 struct FrameOutput {
     ImageId final;       ///< rgba8, sRGB-encoded: what is shown
-    ImageId hdr;         ///< rgba32f, nit
+    ImageId hdr;         ///< rgba32f, nit; as if there were no water
     ImageId direct;      ///< rgba32f, nit
     ImageId irradiance;  ///< rgba32f, lux, indirect
     GBuffer gbuffer;
     float gi_progress = 1.0f;
     double gi_traced_seconds = 0.0;  ///< of the frame, spent by the CPU on tracing light
     std::optional<float> gi_error;   ///< standard error of sampling, over the irradiance, where the method knows it
+    bool next_suns_are_drawn = false;  ///< the maps of suns that are about to move
 };
 
 /// The group of all passes that the GI method asked for.

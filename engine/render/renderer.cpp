@@ -14,14 +14,16 @@ namespace sl {
 
 Renderer::Renderer(const std::filesystem::path& folder) : executor_(folder) {}
 
-Renderer::Result Renderer::render(const RenderScene& scene, const Request& request) {
+Renderer::Result Renderer::render(const RenderScene& given, const Request& request) {
     Result result;
     graph_ = FrameGraph(states_);
     steps_.clear();
-    if (!scene.view) return result;
+    if (!given.view) return result;
     CHECK(request.width > 0 && request.height > 0, "a frame of {}x{}", request.width, request.height);
 
-    const LightTable lights = build_light_table(scene);
+    const RenderScene& scene = suns_.hold(given, request.slice_budget == ~0u);
+    LightTable lights = build_light_table(scene);
+    suns_.add_next_layers(lights);
     const SceneInputs inputs = gpu_scene_.upload(graph_, scene, lights);
     const FrameInput frame{.graph = graph_,
                            .scene = scene,
@@ -33,7 +35,8 @@ Renderer::Result Renderer::render(const RenderScene& scene, const Request& reque
                            .height = request.height,
                            .slice_budget = request.slice_budget,
                            .gi_gpu_seconds = 1e-3 * gi_milliseconds(executor_.timers().newest()),
-                           .seconds = request.seconds};
+                           .seconds = request.seconds,
+                           .time = request.time};
     images_ = build_frame(frame);
     result.images = images_;
     graph_.want(result.images.final);
@@ -49,6 +52,7 @@ Renderer::Result Renderer::render(const RenderScene& scene, const Request& reque
     steps_ = graph_.compile();
     executor_.run(graph_, steps_, request.on_step);
     result.drawn = true;
+    if (result.images.next_suns_are_drawn) suns_.next_is_drawn();
 
     for (const std::uint32_t draw : visible_draws(scene, frame.params.clip_from_world)) {
         result.triangles_drawn += inputs.calls[draw].index_count / 3;

@@ -5,6 +5,7 @@
 #include "engine/render/execute.h"
 #include "engine/render/frame.h"
 #include "engine/render/gi/facet_light.h"
+#include "engine/render/scene/sun_steps.h"
 
 namespace sl {
 
@@ -18,6 +19,7 @@ class Renderer {
         std::uint32_t height = 360;
         std::uint32_t frame_index = 0;
         float seconds = 1.0f / 60.0f;       ///< since the last frame
+        double time = 0.0;                  ///< s; water ripples by it, and stands still where nobody sets it
         std::uint32_t slice_budget = ~0u;   ///< steps of sliced work per frame
         std::vector<std::string> wanted{};  ///< images to keep readable besides the final one
         std::vector<std::string> wanted_if_there{};  ///< the same, but a frame without them is no error
@@ -34,12 +36,13 @@ class Renderer {
     };
 
     /// Throws Error when `wanted` names an image that this frame does not have, listing those it has.
-    Result render(const RenderScene& scene, const Request& request);
+    Result render(const RenderScene& given, const Request& request);
 
     /// Forgets what persistent images hold: the next frame draws everything anew.
     void forget() {
         states_.clear();
         facets_ = {};
+        suns_ = {};
     }
 
     /// One layer of an image of the last frame as an Image, top row first.
@@ -68,6 +71,7 @@ class Renderer {
     Executor executor_;
     GpuScene gpu_scene_;
     FacetLight facets_;
+    SunSteps suns_;
 };
 
 /// Names of all images that a graph makes, for messages and lists.

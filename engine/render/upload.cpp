@@ -5,12 +5,19 @@
 
 namespace sl {
 
-DrawList SceneInputs::list(const std::vector<std::uint32_t>& draws_) const {
-    auto chosen = std::make_shared<std::vector<DrawCall>>();
-    chosen->reserve(draws_.size());
-    for (const std::uint32_t draw : draws_) chosen->push_back(calls[draw]);
-    return chosen;
+namespace {
+
+DrawList chosen(const std::vector<DrawCall>& calls, const std::vector<std::uint32_t>& numbers) {
+    auto list = std::make_shared<std::vector<DrawCall>>();
+    list->reserve(numbers.size());
+    for (const std::uint32_t number : numbers) list->push_back(calls[number]);
+    return list;
 }
+
+}  // namespace
+
+DrawList SceneInputs::list(const std::vector<std::uint32_t>& draws_) const { return chosen(calls, draws_); }
+DrawList SceneInputs::water_list(const std::vector<std::uint32_t>& waters) const { return chosen(water_calls, waters); }
 
 const GpuScene::GpuMesh& GpuScene::refresh(const RenderScene& scene, MeshHandle handle) {
     const MeshData& mesh = scene.meshes->at(handle);
@@ -54,16 +61,18 @@ SceneInputs GpuScene::upload(FrameGraph& graph, const RenderScene& scene, const 
     ++frame_;
     SceneInputs inputs;
     std::vector<DrawParams> draws;
-    draws.reserve(scene.draws.size());
-    for (const RenderScene::Draw& draw : scene.draws) {
+    draws.reserve(scene.draws.size() + scene.waters.size());
+    const auto add = [&](const RenderScene::Draw& draw, std::vector<DrawCall>& calls) {
         const GpuMesh& mesh = refresh(scene, draw.mesh);
-        inputs.calls.push_back({.vertex_buffer = mesh.vertices.id(), .index_buffer = mesh.indices.id(),
-                                .index_count = mesh.index_count, .draw_index = static_cast<std::uint32_t>(draws.size()),
-                                .mirrored = glm::determinant(mat3(draw.world_from_local)) < 0.0f});
-        inputs.triangles += mesh.index_count / 3;
+        calls.push_back({.vertex_buffer = mesh.vertices.id(), .index_buffer = mesh.indices.id(),
+                         .index_count = mesh.index_count, .draw_index = static_cast<std::uint32_t>(draws.size()),
+                         .mirrored = glm::determinant(mat3(draw.world_from_local)) < 0.0f});
         draws.push_back({.world_from_local = draw.world_from_local, .normal_from_local = normal_matrix(draw.world_from_local),
                          .first_material = uvec4(draw.first_material, 0, 0, 0)});
-    }
+    };
+    for (const RenderScene::Draw& draw : scene.draws) add(draw, inputs.calls);
+    for (const DrawCall& call : inputs.calls) inputs.triangles += call.index_count / 3;
+    for (const RenderScene::Draw& water : scene.waters) add(water, inputs.water_calls);
     // A mesh that no draw names any more has left the scene.
     std::erase_if(meshes_, [&](const auto& entry) { return entry.second.used_in != frame_; });
 

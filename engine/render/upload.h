@@ -15,10 +15,12 @@ struct SceneInputs {
     BufferId draws, materials, lights;
     ImageId textures;
     std::vector<DrawCall> calls;  ///< one per RenderScene::Draw
+    std::vector<DrawCall> water_calls;  ///< one per surface of water
     std::uint64_t triangles = 0;
 
     /// The calls of some draws, for one pass.
     DrawList list(const std::vector<std::uint32_t>& draws) const;
+    DrawList water_list(const std::vector<std::uint32_t>& waters) const;
 };
 
 /// Keeps GPU copies of meshes, materials and textures, and refreshes what changed.

@@ -22,7 +22,7 @@ struct ChangesFlags {
     std::string gi = "facets";
     std::vector<std::string> sets;
     std::uint32_t frames = 64;
-    std::string json;
+    std::string json, only;
 };
 
 /// Something that happens in a game, and what has to be there first.
@@ -46,6 +46,7 @@ Entity torch(World& world) {
 
 std::vector<Change> changes() {
     return {{"a game begins", [](World&) {}, [](World&) {}, true},
+            {"the camera turns round", [](World&) {}, [](World& world) { move_camera(world, 0.0, pi); }},
             {"a block is placed", [](World&) {}, [](World& world) { place_block(world); }},
             {"a torch moves by 1 m",
              [](World& world) {
@@ -55,6 +56,12 @@ std::vector<Change> changes() {
             {"the sun turns by 10 deg", [](World&) {},
              [](World& world) {
                  for (auto [entity, sun] : Query<SunAngles>(world)) sun.azimuth += glm::radians(10.0f);
+             }},
+            {"the sun moves by a step of the day", [](World&) {},
+             [](World& world) {
+                 for (auto [entity, sun] : Query<SunAngles>(world)) sun.azimuth += DayCycle{}.step;
+                 // Where there is a day, strength and colour of sun and sky change as well.
+                 for (auto [entity, day] : Query<DayCycle>(world)) day.hour += glm::degrees(double{day.step}) / 15.0;
              }}};
 }
 
@@ -113,7 +120,9 @@ int run_changes(const GlobalFlags& global, const ChangesFlags& flags) {
     fmt::print("{} · {} · {}x{}\n", headless.context->renderer(), headless.context->version(), size.x, size.y);
     nlohmann::json results = nlohmann::json::array();
     for (const std::string& scene : flags.scenes) {
-        for (const Change& change : changes()) results.push_back(measure(scene, change, flags));
+        for (const Change& change : changes()) {
+            if (flags.only.empty() || change.name == flags.only) results.push_back(measure(scene, change, flags));
+        }
     }
     headless.check_errors();
     if (!flags.json.empty()) {
@@ -132,6 +141,9 @@ void add_bench_changes_command(const Flags& bench, const GlobalFlags& global) {
     command.add("--gi", flags->gi, "GI method");
     command.add("--set", flags->sets, "component.field=value; repeatable");
     command.add("--size", flags->size, "WIDTHxHEIGHT in pixels");
+    std::vector<std::string> names;
+    for (const Change& change : changes()) names.push_back(change.name);
+    command.add("--only", flags->only, "One of them alone").one_of(names);
     command.add("--frames", flags->frames, "Frames after each change").within(1, 10000);
     command.add("--json", flags->json, "Also write the figures into this file");
     command.runs([&global, flags] { return run_changes(global, *flags); });

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <map>
 
 #include "engine/core/clock.h"
 #include "engine/ecs/components.h"
+#include "engine/render/pass_times.h"
 #include "game/app/bench_window.h"
 #include "game/app/own_process.h"
 #include "game/streaming/terrain_stream.h"
@@ -16,7 +18,7 @@ namespace {
 
 struct FlightFlags {
     std::string scene = "endless", size = "640x360", gi = "facets";
-    double speed = 10.0, seconds = 60.0, height = 30.0, view_distance = 128.0;
+    double speed = 10.0, seconds = 60.0, height = 30.0, view_distance = TerrainView{}.distance;
 };
 
 using Watch = std::chrono::steady_clock;
@@ -33,6 +35,31 @@ void print_part(const std::string& name, std::vector<double> frames, const World
     std::fflush(stdout);
 }
 
+/// How much of all frames each kind of pass took, and how often it ran.
+class PassTotals {
+  public:
+    void add(std::span<const gl::SpanTime> spans) {
+        for (const gl::SpanTime& span : pass_times(spans)) {
+            Total& total = totals_[span.name];
+            total.milliseconds += span.milliseconds;
+            ++total.frames;
+        }
+    }
+    void print(std::size_t frames) const {
+        fmt::print("\n{:<24}{:>16}{:>16}\n", "pass", "ms per frame", "% of frames");
+        for (const auto& [name, total] : totals_) {
+            const auto count = static_cast<double>(frames);
+            fmt::print("{:<24}{:>16.2f}{:>16.1f}\n", name, total.milliseconds / count, 100.0 * total.frames / count);
+        }
+    }
+
+  private:
+    struct Total {
+        double milliseconds = 0.0, frames = 0.0;
+    };
+    std::map<std::string, Total> totals_;
+};
+
 int run_flight(const GlobalFlags& global, const FlightFlags& flags) {
     Headless headless(global);
     BenchWindow window{.app = open_scene({.scene = flags.scene, .gi = flags.gi, .sets = {}}), .size = parse_size(flags.size)};
@@ -42,6 +69,7 @@ int run_flight(const GlobalFlags& global, const FlightFlags& flags) {
     place.translation.y = flags.height;
     fmt::print("{}\n{:<14}{:>8}{:>10}{:>10}{:>10}{:>10}{:>10}\n", headless.context->renderer(), "flown, s", "frames", "median ms", "p99 ms", "worst ms", "meshes", "MB");
     std::vector<double> frames, all;
+    PassTotals passes;
     constexpr double part = 10.0;
     double part_end = part;
     for (const auto start = Watch::now(); seconds_since(start) < flags.seconds;) {
@@ -50,6 +78,7 @@ int run_flight(const GlobalFlags& global, const FlightFlags& flags) {
         // A window waits here as well.
         glFinish();
         frames.push_back(seconds_since(frame_start));
+        passes.add(window.renderer.executor().finished_timings());
         all.push_back(frames.back());
         world.resource<FrameClock>().step = frames.back();
         world.get<Transform>(active_camera(world)).translation.x += flags.speed * frames.back();
@@ -58,6 +87,7 @@ int run_flight(const GlobalFlags& global, const FlightFlags& flags) {
         part_end += part;
     }
     print_part("all", all, world);
+    passes.print(all.size());
     headless.check_errors();
     return 0;
 }

@@ -20,11 +20,13 @@ void add_tour_command(const Flags& program, const GlobalFlags& flags);
 void add_list_command(const Flags& program, const GlobalFlags& flags);
 void add_bench_onoff_command(const Flags& bench, const GlobalFlags& flags);
 void add_bench_changes_command(const Flags& bench, const GlobalFlags& flags);
+void add_bench_day_command(const Flags& bench, const GlobalFlags& flags);
 void add_bench_growth_command(const Flags& bench, const GlobalFlags& flags);
 void add_bench_motion_command(const Flags& bench, const GlobalFlags& flags);
 void add_bench_flight_command(const Flags& bench, const GlobalFlags& flags);
 void add_bench_gi_command(const Flags& bench, const GlobalFlags& flags);
 void add_bench_rays_command(const Flags& bench);
+void add_export_command(const Flags& program);
 void add_reference_command(const Flags& program);
 void add_merge_command(const Flags& program);
 /// Needs no context, so no flags.
@@ -42,6 +44,11 @@ void check_output(const std::string& file, const char* extension);
 
 /// "640x360" to width and height. Throws Error stating the limits.
 uvec2 parse_size(const std::string& text);
+
+/// Whole numbers with a separator between them: "0,0,320,180" or "0:128". Throws Error that tells `form` where the text is
+/// something else. Of std::uint32_t and std::int32_t.
+template <class Number>
+std::vector<Number> whole_numbers(const std::string& text, char separator, std::size_t count, const char* flag, const char* form);
 
 /// What happens without a subcommand: the window where there is a display, else the tour.
 bool has_display();

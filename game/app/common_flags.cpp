@@ -50,4 +50,20 @@ bool has_display() {
     return set("DISPLAY") || set("WAYLAND_DISPLAY");
 }
 
+template <class Number>
+std::vector<Number> whole_numbers(const std::string& text, char separator, std::size_t count, const char* flag, const char* form) {
+    std::vector<Number> values(count);
+    const char* at = text.data();
+    const char* end = at + text.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto parsed = std::from_chars(at, end, values[i]);
+        const bool last = i + 1 == count;
+        if (parsed.ec != std::errc() || (last ? parsed.ptr != end : parsed.ptr == end || *parsed.ptr != separator)) fail("{} '{}': write {}", flag, text, form);
+        at = parsed.ptr + 1;
+    }
+    return values;
+}
+template std::vector<std::uint32_t> whole_numbers(const std::string&, char, std::size_t, const char*, const char*);
+template std::vector<std::int32_t> whole_numbers(const std::string&, char, std::size_t, const char*, const char*);
+
 }  // namespace sl

@@ -13,6 +13,7 @@
 #include "game/block_tool.h"
 #include "game/crystals/crystals.h"
 #include "game/menu/keys_text.h"
+#include "game/menu/panel_text.h"
 #include "game/notice.h"
 #include "game/saved_world.h"
 #include "game/session.h"
@@ -33,27 +34,34 @@ class TextBox {
   public:
     void line(const std::string& text, ImU32 colour = plain) { lines_.push_back({text, colour}); }
 
-    void draw(ImVec2 point, ImVec2 pivot, int darkness = 115) const {
-        const float gap = ImGui::GetFontSize() * 0.5f, widest = std::max(ImGui::GetMainViewport()->Size.x - 4.0f * gap, 1.0f);
-        const auto extent_of = [&](const std::string& text) { return ImGui::CalcTextSize(text.c_str(), nullptr, false, widest); };
-        ImVec2 size(0, 0);
+    /// With the ground around them.
+    ImVec2 size() const {
+        ImVec2 inner(0, 0);
         for (const auto& [text, colour] : lines_) {
             const ImVec2 extent = extent_of(text);
-            size = ImVec2(std::max(size.x, extent.x), size.y + extent.y);
+            inner = ImVec2(std::max(inner.x, extent.x), inner.y + extent.y);
         }
-        const ImVec2 outer(size.x + 2 * gap, size.y + 2 * gap);
+        return ImVec2(inner.x + 2 * gap(), inner.y + 2 * gap());
+    }
+
+    void draw(ImVec2 point, ImVec2 pivot, int darkness = 115) const {
+        const ImVec2 outer = size();
         ImVec2 at(std::round(point.x - pivot.x * outer.x), std::round(point.y - pivot.y * outer.y));
         ImDrawList& list = *ImGui::GetBackgroundDrawList();
         list.AddRectFilled(at, ImVec2(at.x + outer.x, at.y + outer.y), IM_COL32(0, 0, 0, darkness),
-                           gap * 0.5f);
-        at = ImVec2(at.x + gap, at.y + gap);
+                           gap() * 0.5f);
+        at = ImVec2(at.x + gap(), at.y + gap());
         for (const auto& [text, colour] : lines_) {
-            list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), at, colour, text.c_str(), nullptr, widest);
+            list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), at, colour, text.c_str(), nullptr, widest());
             at.y += extent_of(text).y;
         }
     }
 
   private:
+    static float gap() { return ImGui::GetFontSize() * 0.5f; }
+    static float widest() { return std::max(ImGui::GetMainViewport()->Size.x - 4.0f * gap(), 1.0f); }
+    static ImVec2 extent_of(const std::string& text) { return ImGui::CalcTextSize(text.c_str(), nullptr, false, widest()); }
+
     struct Line {
         std::string text;
         ImU32 colour;
@@ -117,6 +125,20 @@ void message(const std::string& text, ImVec2 point, ImU32 colour, int darkness =
     box.draw(point, ImVec2(0.5f, 0.5f), darkness);
 }
 
+/// The keys, and beside them how the panel works, where the screen is wide enough for both.
+void draw_help(const KeyBindings& bindings) {
+    const ImGuiViewport& screen = *ImGui::GetMainViewport();
+    const ImVec2 centre = screen.GetCenter();
+    TextBox keys, panel;
+    keys.line(keys_text(bindings));
+    panel.line(panel_text(bindings));
+    const float left = keys.size().x, right = panel.size().x, gap = ImGui::GetFontSize();
+    if (left + gap + right > screen.Size.x) return keys.draw(centre, ImVec2(0.5f, 0.5f), 190);
+    const float seam = centre.x + 0.5f * (left - right);
+    keys.draw(ImVec2(seam - 0.5f * gap, centre.y), ImVec2(1.0f, 0.5f), 190);
+    panel.draw(ImVec2(seam + 0.5f * gap, centre.y), ImVec2(0.0f, 0.5f), 190);
+}
+
 }  // namespace
 
 void draw_hud(App& app, const HudInput& input) {
@@ -150,7 +172,7 @@ void draw_hud(App& app, const HudInput& input) {
     if (const auto& notice = app.world.resource<Notice>(); notice.seconds_left > 0.0) {
         message(notice.text, ImVec2(centre.x, screen.Size.y * 0.75f), plain);
     }
-    if (input.help) message(keys_text(input.keys), centre, plain, 190);
+    if (input.help) draw_help(input.keys);
 }
 
 }  // namespace sl

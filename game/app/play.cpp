@@ -18,7 +18,7 @@ struct PlayFlags {
 
 /// The world of those who choose neither world nor scene.
 constexpr const char* first_world = "valley.world";
-constexpr const char* first_scene = "crystals";
+constexpr const char* first_scene = "endless";
 
 /// What a game is played in: a world that keeps changes, or a scene that does not.
 void choose_world(PlayFlags& flags) {
@@ -59,7 +59,7 @@ void add_play_command(const Flags& program, const GlobalFlags& global) {
     command.add("--scene", flags->scene, scene_flag_help);
     add_setting_flags(command, flags->settings.scene);
     command.add("--world", flags->world, "World file that keeps all changes; without it and --scene, valley.world in ~/.local/share/secondlight/worlds");
-    command.toggle("--new", flags->new_world, "Make that world, from --scene or the valley of the crystals");
+    command.toggle("--new", flags->new_world, "Make that world, from --scene or the valley of the crystals in endless land");
     command.add("--size", flags->size, "Size of the window");
     command.toggle("--fullscreen", flags->settings.window.fullscreen,
                       "Fill the screen (F11 while playing)");

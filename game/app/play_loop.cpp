@@ -2,6 +2,7 @@
 #include "engine/core/clock.h"
 #include "engine/core/error.h"
 #include "engine/core/log.h"
+#include "engine/ecs/systems/day_cycle.h"
 #include "engine/render/image_layers.h"
 #include "engine/render/pass_times.h"
 #include "engine/render/refined_share.h"
@@ -88,6 +89,8 @@ void Play::frame() {
     editor_.scale = widgets_.scale();
     capture_on_click(input);
     app_.world.resource<Input>() = menu_.is_open() ? Input{} : player_input(input, user_.values(), seconds);
+    // Figures and truths need a light that rests.
+    app_.world.resource<DayPause>().on = editor_.open;
     app_.schedule.run(app_.world);
     auto& notice = app_.world.resource<Notice>();
     notice.seconds_left = std::max(0.0, notice.seconds_left - seconds);
@@ -152,6 +155,7 @@ void Play::render(uvec2 window_size) {
                               .height = picture_size_.y,
                               .frame_index = frame,
                               .seconds = static_cast<float>(app_.world.resource<FrameClock>().step),
+                              .time = app_.world.resource<FrameClock>().seconds,
                               .slice_budget = budget_.slices()};
     if (editor_.picture.wish == PictureFormat::exr) want_linear_layers(request);
     editor_.compare.prepare(scene_, request);

@@ -32,24 +32,10 @@ void ask_to_stop(int signal) {
     stop_wanted = signal;
 }
 
-/// Whole numbers with a separator between them: "0,0,320,180" or "0:128".
-std::vector<std::uint32_t> numbers(const std::string& text, char separator, std::size_t count, const char* flag, const char* form) {
-    std::vector<std::uint32_t> values(count);
-    const char* at = text.data();
-    const char* end = at + text.size();
-    for (std::size_t i = 0; i < count; ++i) {
-        const auto parsed = std::from_chars(at, end, values[i]);
-        const bool last = i + 1 == count;
-        if (parsed.ec != std::errc() || (last ? parsed.ptr != end : parsed.ptr == end || *parsed.ptr != separator)) fail("{} '{}': write {}", flag, text, form);
-        at = parsed.ptr + 1;
-    }
-    return values;
-}
-
 FilmBlock block_of(const ReferenceFlags& flags, uvec2 size) {
     FilmBlock block{.high = size, .last = flags.spp};
     if (!flags.region.empty()) {
-        const auto r = numbers(flags.region, ',', 4, "--region", "X,Y,WIDTH,HEIGHT in pixels from the upper left, for example 0,0,320,180");
+        const auto r = whole_numbers<std::uint32_t>(flags.region, ',', 4, "--region", "X,Y,WIDTH,HEIGHT in pixels from the upper left, for example 0,0,320,180");
         block.low = {r[0], r[1]};
         block.high = block.low + uvec2(r[2], r[3]);
         if (r[2] == 0 || r[3] == 0 || r[0] >= size.x || r[1] >= size.y || r[2] > size.x - r[0] || r[3] > size.y - r[1]) {
@@ -57,7 +43,7 @@ FilmBlock block_of(const ReferenceFlags& flags, uvec2 size) {
         }
     }
     if (!flags.samples.empty()) {
-        const auto range = numbers(flags.samples, ':', 2, "--samples", "FIRST:LAST, for example 128:256 for samples 128 to 255");
+        const auto range = whole_numbers<std::uint32_t>(flags.samples, ':', 2, "--samples", "FIRST:LAST, for example 128:256 for samples 128 to 255");
         if (range[0] >= range[1]) fail("--samples {}: the range is empty", flags.samples);
         block.first = range[0];
         block.last = range[1];
@@ -68,7 +54,7 @@ FilmBlock block_of(const ReferenceFlags& flags, uvec2 size) {
 
 TransportSettings transport_of(const ReferenceFlags& flags) {
     TransportSettings transport{.occlusion = !flags.no_occlusion, .seed = flags.seed};
-    if (flags.bounces != "full") transport.bounces = static_cast<int>(numbers(flags.bounces, ' ', 1, "--bounces", "a number of reflections, or full")[0]);
+    if (flags.bounces != "full") transport.bounces = static_cast<int>(whole_numbers<std::uint32_t>(flags.bounces, ' ', 1, "--bounces", "a number of reflections, or full")[0]);
     if (transport.bounces > 10000) fail("--bounces {}: more than 10000 are the same as full", flags.bounces);
     transport.reflection = flags.reflection == "full" ? Reflection::full : Reflection::diffuse;
     transport.pixel_area = flags.pixel == "area";

@@ -2,6 +2,7 @@
 #include "game/menu/keys_text.h"
 #include "game/menu/menu_window.h"
 #include "game/menu/pages.h"
+#include "game/menu/panel_text.h"
 #include "game/settings/player_input.h"
 
 namespace sl {
@@ -11,7 +12,7 @@ namespace {
 constexpr const char* about =
     "Dig, build and walk about, and see the light follow: what you break or place changes how light bounces. "
     "All that you build in a world is kept at once, whatever happens to the program. "
-    "The editor panel changes lights, cameras and everything else while you play.";
+    "The sun moves where a scene has a day: stop it, or drag it to the hour that you want.";
 
 void gamepad_table() {
     if (!ImGui::BeginTable("gamepad", 2, ImGuiTableFlags_SizingStretchProp)) return;
@@ -32,6 +33,8 @@ void help_page(Menu& menu, const KeyBindings& keys) {
     menu_text(about);
     menu_heading("keys");
     menu_text(keys_text(keys));
+    menu_heading("panel");
+    menu_text(panel_text(keys));
     menu_heading("gamepad");
     gamepad_table();
 }

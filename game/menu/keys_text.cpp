@@ -20,7 +20,7 @@ struct KeyGroup {
 std::vector<KeyGroup> key_groups() {
     return {{{Action::forward, Action::left, Action::back, Action::right}, "Walk or fly."},
             {{Action::rise, Action::sink}, "Fly up, down; Ctrl and the wheel: speed."},
-            {{Action::sun_left, Action::sun_right}, "Turn the sun; so do Left and Right."},
+            {{Action::sun_left, Action::sun_right}, "Turn the sun; so do Left, Right. Up, Down: its height."},
             {{Action::brighter, Action::darker}, "Brighten and darken the picture."}};
 }
 
@@ -38,8 +38,7 @@ std::string keys_text(const KeyBindings& keys) {
         "  left         Break a block.\n"
         "  right        Place a block.\n"
         "  middle       Take the kind of block.\n"
-        "1 ... 9        Choose a block; so does the wheel.\n"
-        "Up Down        Raise and lower the sun.\n";
+        "1 ... 9        Choose a block; so does the wheel.\n";
     const std::vector<KeyGroup> groups = key_groups();
     for (std::size_t i = 0; i < action_count; ++i) {
         const auto action = static_cast<Action>(i);

@@ -12,7 +12,7 @@ namespace sl {
 // clang-format off
 enum class Action : std::size_t {
     forward, back, left, right, jump, crouch, run, fly, rise, sink, flashlight, hint,
-    next_gi_method, gi_on_off, sun_left, sun_right, brighter, darker,
+    next_gi_method, gi_on_off, sun_left, sun_right, drag_sun, day_on_off, brighter, darker,
     panel, help, fullscreen, picture
 };
 // clang-format on
@@ -42,6 +42,8 @@ inline constexpr std::array<ActionInfo, action_count> actions{{
     {"gi_on_off", Key::o, "Indirect light off and on."},
     {"sun_left", Key::left_bracket, "Turn the sun to the left; so does the left arrow."},
     {"sun_right", Key::right_bracket, "Turn the sun to the right; so does the right arrow."},
+    {"drag_sun", Key::m, "While held, the mouse drags the sun round the sky."},
+    {"day_on_off", Key::n, "Stop the day, and let it go on."},
     {"brighter", Key::plus, "Brighten the picture."},
     {"darker", Key::minus, "Darken the picture."},
     {"panel", Key::f1, "Editor panel."},

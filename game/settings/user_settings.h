@@ -21,7 +21,7 @@ struct PictureSettings {
     double render_scale = 1.0;
     bool scene_field_of_view = true;
     float field_of_view = pi / 3.0f;
-    double view_distance = 256.0;
+    double view_distance = 96.0;
 
     bool operator==(const PictureSettings&) const = default;
 };

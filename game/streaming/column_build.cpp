@@ -11,9 +11,7 @@ BuiltColumn build_column(const EndlessTerrain& terrain, ivec2 column, float bloc
     BuiltColumn built{.column = column, .parts = {}};
     for (const ivec3 key : volume.chunk_keys()) {
         if (ivec2(key.x, key.z) != column) continue;
-        MeshStats stats;
-        MeshData mesh = mesh_chunk(volume, key, &stats);
-        built.parts.push_back({*volume.chunk(key), {key, std::move(mesh), stats}});
+        built.parts.push_back({*volume.chunk(key), meshed_chunk(volume, key)});
     }
     return built;
 }

@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "game/streaming/column_jobs.h"
 
-#include <tbb/task_arena.h>
-
 #include <algorithm>
-#include <condition_variable>
-#include <mutex>
-#include <thread>
 
 namespace sl {
 
@@ -14,37 +9,26 @@ namespace {
 
 constexpr std::size_t most_started = 12;
 
-/// One thread is left to what the frame needs at once.
-int threads() {
-    return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1);
+/// One processor is left to what the frame needs at once.
+unsigned threads() {
+    return std::max(2u, std::thread::hardware_concurrency()) - 1;
 }
 
 }  // namespace
 
-struct ColumnJobs::Shared {
-    tbb::task_arena arena{threads(), 0, tbb::task_arena::priority::low};
-    std::mutex mutex;
-    std::condition_variable idle;
-    std::size_t unfinished = 0;
-    bool cancelled = false;
-    std::vector<BuiltColumn> finished;
+ColumnJobs::ColumnJobs() {
+    for (unsigned i = 0; i < threads(); ++i) threads_.emplace_back([this](const std::stop_token& stop) { work(stop); });
+}
 
-    void run(const Build& build) {
-        BuiltColumn built;
-        const bool wanted = [this] { return std::lock_guard(mutex), !cancelled; }();
-        if (wanted) built = build();
-        const std::lock_guard lock(mutex);
-        if (wanted) finished.push_back(std::move(built));
-        if (--unfinished == 0) idle.notify_all();
+void ColumnJobs::work(const std::stop_token& stop) {
+    for (std::unique_lock lock(mutex_); wake_.wait(lock, stop, [this] { return !waiting_.empty(); }) && !stop.stop_requested();) {
+        const Build build = std::move(waiting_.front());
+        waiting_.pop_front();
+        lock.unlock();
+        BuiltColumn built = build();
+        lock.lock();
+        built_.push_back(std::move(built));
     }
-};
-
-ColumnJobs::ColumnJobs() : shared_(std::make_shared<Shared>()) {}
-
-ColumnJobs::~ColumnJobs() {
-    std::unique_lock lock(shared_->mutex);
-    shared_->cancelled = true;
-    shared_->idle.wait(lock, [this] { return shared_->unfinished == 0; });
 }
 
 bool ColumnJobs::full() const {
@@ -53,12 +37,9 @@ bool ColumnJobs::full() const {
 
 void ColumnJobs::start(ivec2 column, Build build) {
     started_.insert(column);
-    {
-        const std::lock_guard lock(shared_->mutex);
-        ++shared_->unfinished;
-    }
-    // The job keeps what it shares alive until it has let go of the lock.
-    shared_->arena.enqueue([shared = shared_, build = std::move(build)] { shared->run(build); });
+    const std::lock_guard lock(mutex_);
+    waiting_.push_back(std::move(build));
+    wake_.notify_one();
 }
 
 void ColumnJobs::outdate(ivec2 column) {
@@ -67,9 +48,9 @@ void ColumnJobs::outdate(ivec2 column) {
 
 std::vector<BuiltColumn> ColumnJobs::take(ivec2 centre, std::size_t most) {
     {
-        const std::lock_guard lock(shared_->mutex);
-        std::ranges::move(shared_->finished, std::back_inserter(finished_));
-        shared_->finished.clear();
+        const std::lock_guard lock(mutex_);
+        std::ranges::move(built_, std::back_inserter(finished_));
+        built_.clear();
     }
     std::erase_if(finished_, [this](const BuiltColumn& built) { return outdated_.erase(built.column) > 0 && started_.erase(built.column) > 0; });
     std::ranges::sort(finished_, std::ranges::greater(), [&](const BuiltColumn& built) { return distance_squared(built.column, centre); });

@@ -1,22 +1,25 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <condition_variable>
+#include <deque>
 #include <functional>
-#include <memory>
+#include <mutex>
+#include <thread>
 
 #include "game/streaming/column_build.h"
 
 namespace sl {
 
-/// Builds columns on job threads, behind all else that they do. So few are on their way at a time that neither memory nor
-/// what a turn of the camera makes useless can grow.
+/// Builds columns on threads of its own: those that light is gathered on are never idle for long, and land would come too
+/// late. So few are on their way at a time that neither memory nor what a turn of the camera makes useless can grow.
 class ColumnJobs {
   public:
     using Build = std::function<BuiltColumn()>;
 
     ColumnJobs();
     /// Waits for what has begun.
-    ~ColumnJobs();
+    ~ColumnJobs() = default;
     ColumnJobs(const ColumnJobs&) = delete;
     ColumnJobs& operator=(const ColumnJobs&) = delete;
 
@@ -30,11 +33,15 @@ class ColumnJobs {
     std::vector<BuiltColumn> take(ivec2 centre, std::size_t most);
 
   private:
-    struct Shared;  ///< with the job threads
+    void work(const std::stop_token& stop);
 
-    std::shared_ptr<Shared> shared_;
     std::vector<BuiltColumn> finished_;
     ColumnSet started_, outdated_;
+    std::mutex mutex_;  ///< of what follows
+    std::condition_variable_any wake_;
+    std::deque<Build> waiting_;
+    std::vector<BuiltColumn> built_;
+    std::vector<std::jthread> threads_;  ///< last: they end before what they use
 };
 
 }  // namespace sl

@@ -21,7 +21,9 @@ namespace {
 constexpr int slack = 2;
 /// Of those that job threads have finished, so many are taken in per second: each must be uploaded, and light reach it. Slow
 /// frames take more, or a flight would leave the land behind.
-constexpr double taken_per_second = 60.0, most_taken = 8.0;
+constexpr double taken_per_second = 30.0, most_taken = 4.0;
+/// Columns that go in a frame in which others come.
+constexpr std::size_t most_dropped = 4;
 constexpr std::size_t built_together = 64;
 
 bool is_endless(const VoxelGenerator& generator) {
@@ -62,17 +64,28 @@ struct Section {
     float block_size = 0.5f;
 };
 
-void drop_far(World& world, const Section& section, TerrainStream& stream) {
+/// At most so many of those that are not very far. Returns whether no more are left.
+bool drop_far(World& world, const Section& section, TerrainStream& stream, std::size_t most) {
     const int reach = section.radius + slack;
-    const auto far = [&](ivec2 column) { return distance_squared(column, section.centre) > reach * reach; };
-    if (std::erase_if(stream.loaded, far) == 0) return;
+    ColumnSet dropped;
+    bool all = true;
+    for (const ivec2 column : stream.loaded) {
+        const int away = distance_squared(column, section.centre);
+        if (away <= reach * reach) continue;
+        // Where the camera has jumped, nothing of before is near.
+        const bool goes = dropped.size() < most || away > 4 * reach * reach;
+        goes ? void(dropped.insert(column)) : void(all = false);
+    }
+    if (dropped.empty()) return all;
+    std::erase_if(stream.loaded, [&](ivec2 column) { return dropped.contains(column); });
     auto& content = world.get<VoxelContent>(section.owner);
     auto& volume = world.resource<VoxelVolumes>().at(content.volume);
     for (const ivec3 key : volume.chunk_keys()) {
-        if (!far({key.x, key.z})) continue;
+        if (!dropped.contains({key.x, key.z})) continue;
         hide_chunk(world, content, key);
         volume.erase_chunk(key);
     }
+    return all;
 }
 
 void take_in(World& world, const Section& section, TerrainStream& stream, BuiltColumn built) {
@@ -135,9 +148,13 @@ void stream_terrain(World& world) {
         const dvec3 cell = glm::floor(camera_position(world, camera, world.get<Transform>(owner)) / double{block_size});
         const double blocks = view_distance(world) / block_size;
         const Section section{owner, column_of(ivec3(cell)), std::max(1, static_cast<int>(blocks / chunk_size)), block_size};
-        drop_far(world, section, stream);
+        if (stream.whole == std::pair(section.centre, section.radius)) continue;
+        const bool at_once = world.resource<TerrainView>().at_once;
+        const bool rid_of_far = drop_far(world, section, stream, at_once ? stream.loaded.size() : most_dropped);
         const std::vector<ivec2> near = columns_round(section.centre, section.radius);
-        world.resource<TerrainView>().at_once ? build_at_once(world, section, stream, near) : build_in_background(world, section, stream, near);
+        at_once ? build_at_once(world, section, stream, near) : build_in_background(world, section, stream, near);
+        const bool is_whole = rid_of_far && std::ranges::all_of(near, [&](ivec2 column) { return stream.is_loaded(column); });
+        stream.whole = is_whole ? std::optional(std::pair(section.centre, section.radius)) : std::nullopt;
     }
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+
 #include "game/streaming/column_jobs.h"
 
 namespace sl {
@@ -12,6 +14,8 @@ struct TerrainStream {
     ColumnSet loaded;
     ColumnEdits edits;
     std::unique_ptr<ColumnJobs> jobs;
+    /// Round which column, and how far, all is there and nothing more; none while some is missing.
+    std::optional<std::pair<ivec2, int>> whole;
 
     bool is_loaded(ivec2 column) const { return loaded.contains(column); }
     /// Keeps a block that was set, for when its column comes again.
@@ -20,7 +24,7 @@ struct TerrainStream {
 
 /// How much of endless terrains is there, and how it comes; a resource.
 struct TerrainView {
-    double distance = 128.0;  ///< m; where a player has chosen, PictureSettings::view_distance counts instead
+    double distance = 96.0;  ///< m; where a player has chosen, PictureSettings::view_distance counts instead
     /// All that is in view is there at the end of the system, as pictures need it that must come out the same each time.
     /// Otherwise job threads bring it while the game goes on.
     bool at_once = true;

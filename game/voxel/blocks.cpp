@@ -26,7 +26,7 @@ constexpr std::array<BlockInfo, block_count> table{{
     plain("dirt", Layer::dirt, 0.95f),
     plain("stone", Layer::stone, 0.85f),
     plain("sand", Layer::sand, 0.95f),
-    plain("water", Layer::water, 0.1f),
+    {.name = "water", .layers = all(Layer::water), .roughness = 0.1f, .opaque = false},
     {.name = "log", .layers = {Layer::log_rings, Layer::log_bark, Layer::log_rings}, .roughness = 0.9f},
     plain("planks", Layer::planks, 0.8f),
     plain("leaves", Layer::leaves, 0.9f),

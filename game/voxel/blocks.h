@@ -86,7 +86,7 @@ struct BlockInfo {
     float roughness = 0.9f;                             ///< perceptual, 0 to 1
     float metallic = 0.0f;                              ///< 0 or 1
     float emissive_nit = 0.0f;                          ///< luminance of the face, cd/m2
-    bool opaque = true;  ///< hides the faces behind it; for now everything but air, water and glass too
+    bool opaque = true;  ///< hides the faces behind it; for now glass too
 };
 
 const BlockInfo& block_info(Block block);

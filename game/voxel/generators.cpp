@@ -5,6 +5,7 @@
 #include <string>
 
 #include "engine/core/error.h"
+#include "game/voxel/region_text.h"
 
 namespace sl {
 namespace {
@@ -17,7 +18,7 @@ struct Generator {
 using Volume = VoxelVolume;
 using Settings = GeneratorSettings;
 
-constexpr std::array<Generator, 9> generators{{
+constexpr std::array<Generator, 10> generators{{
     {"paper_world",
      [](Volume& volume, const Settings& settings) { generate_paper_world(volume, settings.seed); }},
     {"crystal_valley",
@@ -36,6 +37,7 @@ constexpr std::array<Generator, 9> generators{{
      [](Volume& volume, const Settings& settings) {
          generate_room(volume, settings.size, RoomKind::cornell);
      }},
+    {region_generator, [](Volume& volume, const Settings& settings) { put_region(volume, settings.blocks); }},
     {endless_generator, [](Volume&, const Settings&) {}},
 }};
 

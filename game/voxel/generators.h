@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "game/voxel/voxel_volume.h"
@@ -12,10 +13,14 @@ namespace sl {
 struct GeneratorSettings {
     std::uint32_t seed = 1;
     ivec3 size{8, 6, 8};  ///< interior of the rooms, extent of "terrain" in x and z; blocks, each at least 1
+    std::string blocks{};  ///< of "region"
 };
 
 /// The generator whose blocks come and go with the camera.
 inline constexpr std::string_view endless_generator = "endless";
+
+/// The generator of blocks that are written down.
+inline constexpr std::string_view region_generator = "region";
 
 /// The names that generate() knows.
 std::span<const std::string_view> generator_names();
@@ -30,6 +35,7 @@ std::span<const std::string_view> generator_names();
 ///   room              a closed white box with interior [0, size)
 ///   room_skylight     the same with a hole in the middle of the ceiling, a third as wide
 ///   room_cornell      white, red on -x, green on +x, without the +z wall
+///   region            the blocks of settings.blocks; see region_text.h
 /// Throws Error naming the choices for another name.
 void generate(VoxelVolume& volume, std::string_view name, const GeneratorSettings& settings = {});
 

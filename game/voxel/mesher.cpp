@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "game/voxel/mesher.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 
@@ -27,15 +28,26 @@ constexpr std::array<Direction, 6> directions{{
     {2, -1, 0, -1, 1, +1, BlockFace::side},
 }};
 
-std::array<bool, 256> make_opaque_table() {
-    std::array<bool, 256> opaque{};
-    for (std::size_t block = 0; block < block_count; ++block) {
-        opaque[block] = block_info(static_cast<Block>(block)).opaque;
-    }
-    return opaque;
+/// Which kinds of block a mesh shows, and which hide the faces before them.
+struct FaceRule {
+    std::array<bool, 256> shown{}, hides{};
+};
+
+FaceRule opaque_rule() {
+    FaceRule rule;
+    for (std::size_t block = 0; block < block_count; ++block) rule.shown[block] = block_info(static_cast<Block>(block)).opaque;
+    rule.hides = rule.shown;
+    return rule;
 }
 
-/// Opacity along each axis, one word per line of blocks: bit i + 1 is block i; bits 0 and 33 belong to the
+FaceRule water_rule() {
+    constexpr auto water = static_cast<std::size_t>(Block::water);
+    FaceRule rule{.shown = {}, .hides = opaque_rule().shown};
+    rule.shown[water] = rule.hides[water] = true;
+    return rule;
+}
+
+/// Blocks along each axis, one word per line of them: bit i + 1 is block i; bits 0 and 33 belong to the
 /// neighbours. The line with coordinates (right, up) of the axis' directions is lines[axis][up * n + right].
 struct Occupancy {
     std::array<std::array<std::uint64_t, n * n>, 3> lines{};
@@ -43,6 +55,11 @@ struct Occupancy {
     void mark(int axis, int right, int up, int bit) {
         lines[static_cast<std::size_t>(axis)][static_cast<std::size_t>(up * n + right)] |= std::uint64_t{1}
                                                                                            << bit;
+    }
+    void mark_cell(int x, int y, int z) {
+        mark(0, z, y, x + 1);
+        mark(1, x, z, y + 1);
+        mark(2, x, y, z + 1);
     }
 };
 
@@ -52,16 +69,18 @@ std::size_t cell_index(const Direction& direction, int slice, int right, int up)
                                     up * strides[static_cast<std::size_t>(direction.up)]);
 }
 
-void gather(const VoxelVolume& volume, ivec3 key, const Chunk& chunk, Occupancy& occupancy) {
-    static const std::array<bool, 256> opaque = make_opaque_table();
-    const auto is_opaque = [](Block block) { return opaque[static_cast<std::size_t>(block)]; };
+/// What is shown of the chunk, and what hides it, which reaches into the neighbours.
+struct ChunkOccupancy {
+    Occupancy shown, hides;
+};
+
+void gather(const VoxelVolume& volume, ivec3 key, const Chunk& chunk, const FaceRule& rule, ChunkOccupancy& occupancy) {
     for (int y = 0; y < n; ++y) {
         for (int z = 0; z < n; ++z) {
             for (int x = 0; x < n; ++x) {
-                if (!is_opaque(chunk.blocks[Chunk::index(x, y, z)])) continue;
-                occupancy.mark(0, z, y, x + 1);
-                occupancy.mark(1, x, z, y + 1);
-                occupancy.mark(2, x, y, z + 1);
+                const auto block = static_cast<std::size_t>(chunk.blocks[Chunk::index(x, y, z)]);
+                if (rule.shown[block]) occupancy.shown.mark_cell(x, y, z);
+                if (rule.hides[block]) occupancy.hides.mark_cell(x, y, z);
             }
         }
     }
@@ -74,8 +93,7 @@ void gather(const VoxelVolume& volume, ivec3 key, const Chunk& chunk, Occupancy&
         for (int up = 0; up < n; ++up) {
             for (int right = 0; right < n; ++right) {
                 const Block block = neighbour->blocks[cell_index(direction, slice, right, up)];
-                if (is_opaque(block))
-                    occupancy.mark(direction.axis, right, up, direction.sign > 0 ? n + 1 : 0);
+                if (rule.hides[static_cast<std::size_t>(block)]) occupancy.hides.mark(direction.axis, right, up, direction.sign > 0 ? n + 1 : 0);
             }
         }
     }
@@ -149,36 +167,42 @@ void merge(Slice& rows, const Chunk& chunk, const Direction& direction, int slic
     }
 }
 
-}  // namespace
-
-MeshData mesh_chunk(const VoxelVolume& volume, ivec3 chunk_key, MeshStats* stats) {
-    MeshData mesh;
-    const Chunk* chunk = volume.chunk(chunk_key);
-    if (chunk == nullptr) return mesh;
-    Occupancy occupancy;
-    gather(volume, chunk_key, *chunk, occupancy);
-
-    std::size_t visible_faces = 0;
+/// Adds the faces that the rule shows to a mesh; returns how many unit faces they are.
+std::size_t append_faces(MeshData& mesh, const VoxelVolume& volume, ivec3 chunk_key, const Chunk& chunk, const FaceRule& rule) {
+    ChunkOccupancy occupancy;
+    gather(volume, chunk_key, chunk, rule, occupancy);
+    std::size_t faces = 0;
     for (const Direction& direction : directions) {
         std::array<Slice, n> slices{};
-        const auto& lines = occupancy.lines[static_cast<std::size_t>(direction.axis)];
-        for (std::size_t line = 0; line < lines.size(); ++line) {
-            const std::uint64_t opaque = lines[line];
-            const std::uint64_t hidden = direction.sign > 0 ? opaque >> 1 : opaque << 1;
-            auto visible = static_cast<std::uint32_t>((opaque & ~hidden) >> 1);
-            visible_faces += static_cast<std::size_t>(std::popcount(visible));
+        const auto axis = static_cast<std::size_t>(direction.axis);
+        for (std::size_t line = 0; line < occupancy.shown.lines[axis].size(); ++line) {
+            const std::uint64_t hides = occupancy.hides.lines[axis][line];
+            const std::uint64_t hidden = direction.sign > 0 ? hides >> 1 : hides << 1;
+            auto visible = static_cast<std::uint32_t>((occupancy.shown.lines[axis][line] & ~hidden) >> 1);
+            faces += static_cast<std::size_t>(std::popcount(visible));
             for (; visible != 0; visible &= visible - 1) {
                 const auto slice = static_cast<std::size_t>(std::countr_zero(visible));
                 slices[slice][line / n] |= 1u << (line % n);
             }
         }
         for (int slice = 0; slice < n; ++slice) {
-            merge(slices[static_cast<std::size_t>(slice)], *chunk, direction, slice,
+            merge(slices[static_cast<std::size_t>(slice)], chunk, direction, slice,
                   [&](Rectangle area, Block kind) {
                       append_quad(mesh, direction, slice, area, kind, volume.block_size());
                   });
         }
     }
+    return faces;
+}
+
+}  // namespace
+
+MeshData mesh_chunk(const VoxelVolume& volume, ivec3 chunk_key, MeshStats* stats) {
+    static const FaceRule rule = opaque_rule();
+    MeshData mesh;
+    const Chunk* chunk = volume.chunk(chunk_key);
+    if (chunk == nullptr) return mesh;
+    const std::size_t visible_faces = append_faces(mesh, volume, chunk_key, *chunk, rule);
     if (stats != nullptr) {
         stats->blocks += chunk->count;
         stats->naive_faces += 6 * std::size_t{chunk->count};
@@ -186,6 +210,16 @@ MeshData mesh_chunk(const VoxelVolume& volume, ivec3 chunk_key, MeshStats* stats
         stats->quads += mesh.indices.size() / 6;
         stats->triangles += mesh.indices.size() / 3;
     }
+    return mesh;
+}
+
+MeshData mesh_water(const VoxelVolume& volume, ivec3 chunk_key) {
+    static const FaceRule rule = water_rule();
+    MeshData mesh;
+    const Chunk* chunk = volume.chunk(chunk_key);
+    // Most chunks have none, and are told quickly.
+    if (chunk == nullptr || std::ranges::find(chunk->blocks, Block::water) == chunk->blocks.end()) return mesh;
+    append_faces(mesh, volume, chunk_key, *chunk, rule);
     return mesh;
 }
 

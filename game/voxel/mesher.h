@@ -26,4 +26,7 @@ struct MeshStats {
 /// is missing.
 MeshData mesh_chunk(const VoxelVolume& volume, ivec3 chunk_key, MeshStats* stats = nullptr);
 
+/// In the same way where a chunk's water ends in air: not at the ground beneath it.
+MeshData mesh_water(const VoxelVolume& volume, ivec3 chunk_key);
+
 }  // namespace sl

@@ -44,7 +44,7 @@ bool finite(vec3 v) {
 // Amanatides and Woo 1987: the ray's next crossing is kept per axis, and the nearest of the three says which
 // way to step.
 std::optional<VoxelHit> raycast(const VoxelVolume& volume, vec3 origin_local, vec3 direction,
-                                float max_distance) {
+                                float max_distance, Block free) {
     if (!finite(origin_local) || !finite(direction) || direction == vec3(0.0f)) return std::nullopt;
     if (!(max_distance >= 0.0f)) return std::nullopt;
     const double size = volume.block_size();
@@ -73,7 +73,7 @@ std::optional<VoxelHit> raycast(const VoxelVolume& volume, vec3 origin_local, ve
     ivec3 normal(0);
     if (inside.axis >= 0) normal[inside.axis] = -step[inside.axis];
     while (travelled <= end) {
-        if (const Block block = volume.get(cell); block != Block::air) {
+        if (const Block block = volume.get(cell); block != Block::air && block != free) {
             return VoxelHit{block, cell, normal, static_cast<float>(travelled * size),
                             vec3((origin + travelled * along) * size)};
         }

@@ -17,8 +17,8 @@ struct VoxelHit {
 
 /// The first block that is not air along a ray, within max_distance metres (infinity is fine). The direction
 /// need not be unit. Nothing for a zero or non-finite direction or origin. A ray that only runs along a face
-/// counts as inside the cell on the positive side.
+/// counts as inside the cell on the positive side. `free`: another kind that is passed through as air is.
 std::optional<VoxelHit> raycast(const VoxelVolume& volume, vec3 origin_local, vec3 direction,
-                                float max_distance);
+                                float max_distance, Block free = Block::air);
 
 }  // namespace sl

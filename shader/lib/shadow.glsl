@@ -23,7 +23,13 @@ vec4 shadow_coordinate(LightParams light, Incident incident, vec3 position, vec3
 // Outside its map a sun is taken as unblocked.
 float sun_visibility(LightParams light, Incident incident, vec3 position, vec3 normal) {
     vec4 at = shadow_coordinate(light, incident, position, normal, light.direction.w);
-    return light.kind.y == no_layer ? 1.0 : shadow_compare(shadow_sun, at.xyz, light.kind.y);
+    float count = light.tiles.x;
+    vec2 in_tiles = at.xy * count;
+    vec2 tile = clamp(floor(in_tiles), vec2(0.0), vec2(count - 1.0));
+    vec2 in_layer = (in_tiles - tile - 0.5) * light.tiles.w + 0.5;
+    vec2 place = mod(tile + light.tiles.yz, count);
+    uint layer = light.kind.y + uint(place.y * count + place.x);
+    return light.kind.y == no_layer ? 1.0 : shadow_compare(shadow_sun, vec3(in_layer, at.z), layer);
 }
 
 float spot_visibility(LightParams light, Incident incident, vec3 position, vec3 normal) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Radiance towards the camera: direct light, plus indirect irradiance on the diffuse surface, or the sky behind it all.
+// Radiance towards the camera: direct light, plus indirect irradiance on the diffuse surface, through the air, or the sky behind it all.
 #include "shared/brdf.h"
 #include "shared/frame.h"
 
@@ -19,5 +19,8 @@ void main() {
     vec3 arriving = texelFetch(irradiance, min(pixel, last), 0).rgb;
     vec3 diffuse = texelFetch(albedo, pixel, 0).rgb * (1.0 - texelFetch(material, pixel, 0).y);
     vec3 radiance = texelFetch(direct, pixel, 0).rgb + arriving * diffuse / shared_pi;
-    hdr = vec4(texelFetch(depth, pixel, 0).r > 0.0 ? radiance : frame.sky.rgb, 1.0);
+    float d = texelFetch(depth, pixel, 0).r;
+    vec2 ndc = (vec2(pixel) + 0.5) / vec2(frame.ray_right.w, frame.ray_up.w) * 2.0 - 1.0;
+    float distance = length(view_ray(frame, ndc)) * view_distance(max(d, 1e-20), frame.camera_position.w);
+    hdr = vec4(d > 0.0 ? mix(frame.sky.rgb, radiance, air_transmittance(frame, distance)) : frame.sky.rgb, 1.0);
 }

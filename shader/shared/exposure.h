@@ -11,7 +11,7 @@ struct ExposureParams {
 };
 
 /// 1 / (1.2 · 2^EV100), as cameras define it (ISO 2720).
-SHARED_FN float exposure_of(float ev100) { return exp2(-ev100) / 1.2f; }
+SHARED_FN float exposure_of(float ev100) { return 1.0f / (1.2f * exp2(ev100)); }
 
 /// The EV at which reflected-light meters expose a mean luminance, nit (ISO 2720, K = 12.5: log2(100 / K) = 3), less what the
 /// filmic curve darkens mid-grey; and a fifth less far from what stays as it is: dark rooms are seen, and seen to be dark.

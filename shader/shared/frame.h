@@ -12,7 +12,7 @@ struct FrameParams {
     vec4 ray_forward;      ///< xyz: unit vector out of the camera; w: exposure (multiplies nit)
     vec4 ray_right;        ///< xyz: to the right edge at distance 1; w: width, pixels
     vec4 ray_up;           ///< xyz: to the upper edge at distance 1; w: height, pixels
-    vec4 sky;              ///< rgb: radiance, nit; w: unused
+    vec4 sky;              ///< rgb: radiance, nit; w: extinction of the air, 1/m
     uvec4 counts;          ///< x: lights; y: frame index; z: directional lights; w: directional and spot lights. In this order.
 };
 
@@ -23,5 +23,8 @@ SHARED_FN float view_distance(float depth, float near) { return near / depth; }
 SHARED_FN vec3 view_ray(FrameParams frame, vec2 ndc) {
     return vec3(frame.ray_forward) + ndc.x * vec3(frame.ray_right) + ndc.y * vec3(frame.ray_up);
 }
+
+/// Share of a surface's light that the air leaves on the way to the camera; the rest is the sky's. distance: m.
+SHARED_FN float air_transmittance(FrameParams frame, float distance) { return exp(-frame.sky.w * distance); }
 
 SHARED_END

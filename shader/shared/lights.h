@@ -14,6 +14,8 @@ struct LightParams {
     vec4 cone;                 ///< x: slope, y: height of the ramp at a spot's edge, over 1 - cos of the angle to the axis; z: share of
                                ///< the flux of all lights that bounce
     uvec4 kind;                ///< x: light_*; y: shadow layer; z: RSM layer; w: unused
+    vec4 tiles;                ///< of a directional light's shadow map: x: tiles per side, a layer each; yz: place of the lowest one
+                               ///< in the ring of layers; w: share of a layer's side that is the tile itself, the rest is its neighbours'
 };
 
 /// glTF's smooth edge of a spot's cone: 1 inside the inner, 0 outside the outer half angle. Both vectors are unit. Written

@@ -67,6 +67,13 @@ class Game:
             raise AssertionError(f"xdotool {' '.join(words)}: {done.stderr.strip()}")
         return done.stdout
 
+    def click(self, x, y):
+        """Into the panel or the picture, slowly enough for widgets to notice the pointer first."""
+        self.xdotool("mousemove", str(x), str(y))
+        time.sleep(0.7)
+        self.xdotool("click", "1")
+        time.sleep(0.7)
+
     def toggle_gi(self):
         """O, and waits until the log tells of it."""
         before = self.log().count("GI: ")

@@ -158,23 +158,42 @@ def look_into_the_frame(screen, program, folder):
     print("cornell: the light at one point, and an image of the frame", flush=True)
     picture, table, lines = "140x220+110+100", "200x100+350+190", "100x60+150+300"
     with Game(screen, program, folder / "seen", "cornell", "--size", "640x360", "--gi", "rsm_disc") as game:
-        def click(x, y):
-            game.xdotool("mousemove", str(x), str(y))
-            time.sleep(0.7)
-            game.xdotool("click", "1")
-            time.sleep(0.7)
-
         game.shot_when("start", "the picture is not black", lambda p: brightness(p, picture) > 0.02)
         game.xdotool("key", "F1")
         game.shot_when("panel", "F1 shows the panel", lambda p: brightness(p, table) > 0.02)
-        click(435, 60)
+        game.click(435, 60)
         before = game.settled_shot("before", table)
-        click(200, 350)
+        game.click(200, 350)
         game.shot_when("measured", "a click measures a point: a table and lines",
                        lambda p: difference(before, p, table) > 0.02 and difference(before, p, lines) > 0.005)
-        click(495, 83)
-        click(440, 118)
+        game.click(495, 83)
+        game.click(440, 118)
         game.shot_when("image", "the chosen image covers the picture", lambda p: difference(before, p, picture) > 0.05)
+        game.quit()
+
+
+def compare_sides(screen, program, folder):
+    print("cornell: live light beside the path-traced truth, and the bar between them is dragged", flush=True)
+    left, right, tab = "50x60+60+250", "60x90+140+230", "200x60+270+160"
+    with Game(screen, program, folder / "compared", "cornell", "--size", "640x360", "--gi", "rsm_disc") as game:
+        game.shot_when("start", "the picture is not black", lambda p: brightness(p, right) > 0.02)
+        game.xdotool("key", "F1")
+        game.shot_when("panel", "F1 shows the panel", lambda p: brightness(p, tab) > 0.02)
+        game.click(385, 60)
+        before = game.settled_shot("before", right)
+        game.click(272, 83)
+        # The panel hides the middle: the bar stands in the middle of what it leaves free, at 128.
+        game.shot_when("compared", "right of the bar is the truth, and left of it the live light",
+                       lambda p: difference(before, p, right) > 0.03 and difference(before, p, left) < 0.005)
+        game.xdotool("mousemove", "128", "300")
+        time.sleep(0.7)
+        game.xdotool("mousedown", "1")
+        for x in (150, 180, 220):
+            time.sleep(0.4)
+            game.xdotool("mousemove", str(x), "300")
+        time.sleep(0.4)
+        game.xdotool("mouseup", "1")
+        game.shot_when("dragged", "the bar is dragged past it: there is live light", lambda p: difference(before, p, right) < 0.01)
         game.quit()
 
 
@@ -337,6 +356,7 @@ def main():
         play_cornell(screen, program, folder)
         edit_settings(screen, program, folder)
         look_into_the_frame(screen, program, folder)
+        compare_sides(screen, program, folder)
         play_outdoor(screen, program, folder)
         play_broken_shaders(screen, program, folder)
         play_without_camera(screen, program, folder)

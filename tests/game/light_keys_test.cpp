@@ -69,6 +69,30 @@ TEST_F(LightKeysTest, SunTurnsByTimeAndStaysInItsRange) {
     EXPECT_GE(sun.elevation, -0.5f * pi);
 }
 
+TEST_F(LightKeysTest, WhileMIsHeldTheMouseDragsTheSunAndNothingElse) {
+    const auto& sun = app_.world.get<SunAngles>(sun_);
+    auto& input = app_.world.resource<Input>();
+    input.mouse_delta = vec2(100.0f, -50.0f);
+    app_.schedule.run(app_.world);
+    EXPECT_EQ(sun.azimuth, 0.0f);
+    EXPECT_NE(input.mouse_delta, vec2(0.0f));
+    press(Key::m);
+    EXPECT_GT(sun.azimuth, 0.0f);
+    EXPECT_GT(sun.elevation, 0.5f) << "the mouse went up";
+    EXPECT_EQ(input.mouse_delta, vec2(0.0f)) << "the view turns as well";
+}
+
+TEST_F(LightKeysTest, NStopsTheDayAndLetsItGoOn) {
+    press(Key::n);
+    EXPECT_NE(app_.world.resource<Notice>().text.find("stands still"), std::string::npos);
+    app_.world.add(sun_, DayCycle{.runs = true, .hour = 9.5});
+    press(Key::n);
+    EXPECT_FALSE(app_.world.get<DayCycle>(sun_).runs);
+    EXPECT_NE(app_.world.resource<Notice>().text.find("09:30"), std::string::npos);
+    press(Key::n);
+    EXPECT_TRUE(app_.world.get<DayCycle>(sun_).runs);
+}
+
 TEST_F(LightKeysTest, PlusBrightensAndEndsAtTheRange) {
     auto& camera = app_.world.get<Camera>(camera_);
     const float before = camera.ev100;

@@ -55,5 +55,35 @@ TEST_F(SavedWorldTest, WhatWasBuiltIsThereAgainWhereItsEntityComesBackAsAnother)
     EXPECT_EQ(WorldFile::open(path_)->edits().size(), 2u);
 }
 
+TEST_F(SavedWorldTest, TheHourIsThereAgainAndWhetherItRuns) {
+    const auto open = [&](std::unique_ptr<WorldFile> file) {
+        App app;
+        add_voxel_world(app);
+        app.world.add_resource(FrameClock{.step = 0.0});
+        app.world.create(Transform{}, Camera{});
+        const Entity sun = app.world.create(Transform{}, SunAngles{}, DirectionalLight{}, DayCycle{.runs = true, .hour = 12.0});
+        attach_world(app, std::move(file));
+        return std::pair(std::move(app), sun);
+    };
+    {
+        auto [app, sun] = open(WorldFile::create(path_, "crystals"));
+        app.world.get<DayCycle>(sun) = {.runs = false, .hour = 17.25, .declination = -0.3f};
+        finish_world(app.world);
+    }
+    auto [app, sun] = open(WorldFile::open(path_));
+    const auto& day = app.world.get<DayCycle>(sun);
+    EXPECT_EQ(day.hour, 17.25);
+    EXPECT_EQ(day.declination, -0.3f);
+    EXPECT_FALSE(day.runs);
+    EXPECT_LT(app.world.get<SunAngles>(sun).elevation, 0.3f) << "the sun stands where the hour says";
+}
+
+TEST_F(SavedWorldTest, AnHourThatIsNoneLeavesTheScenes) {
+    WorldFile::create(path_, "crystals")->save_text("day", R"({"hour": "late", "declination": 0, "runs": true})");
+    const Entity sun = app_.world.create(Transform{}, SunAngles{}, DirectionalLight{}, DayCycle{.runs = false, .hour = 11.0});
+    attach_world(app_, WorldFile::open(path_));
+    EXPECT_EQ(app_.world.get<DayCycle>(sun).hour, 11.0);
+}
+
 }  // namespace
 }  // namespace sl

@@ -13,6 +13,7 @@
 #include "shared/rsm.h"
 #include "shared/scene.h"
 #include "shared/view.h"
+#include "shared/water.h"
 #include "shared/brdf.h"
 #include "tests/support/gl_test.h"
 
@@ -42,13 +43,14 @@ const std::vector<SharedStruct>& shared_structs() {
          {MEMBER(MaterialParams, base_colour), MEMBER(MaterialParams, emission), MEMBER(MaterialParams, specular), MEMBER(MaterialParams, texture)}},
         {"LightParams", "lights", sizeof(LightParams),
          {MEMBER(LightParams, map_clip_from_world), MEMBER(LightParams, position), MEMBER(LightParams, direction), MEMBER(LightParams, intensity),
-          MEMBER(LightParams, cone), MEMBER(LightParams, kind)}},
+          MEMBER(LightParams, cone), MEMBER(LightParams, kind), MEMBER(LightParams, tiles)}},
         {"Incident", "lights", sizeof(Incident), {MEMBER(Incident, to_light), MEMBER(Incident, irradiance)}},
         {"Surface", "brdf", sizeof(Surface), {MEMBER(Surface, base_colour), MEMBER(Surface, normal), MEMBER(Surface, specular)}},
         {"RsmPackedTexel", "rsm", sizeof(RsmPackedTexel), {MEMBER(RsmPackedTexel, position), MEMBER(RsmPackedTexel, light)}},
         {"ExposureParams", "exposure", sizeof(ExposureParams), {MEMBER(ExposureParams, adapt)}},
         {"FacetParams", "facets", sizeof(FacetParams), {MEMBER(FacetParams, grid), MEMBER(FacetParams, table)}},
         {"FacetCell", "facets", sizeof(FacetCell), {MEMBER(FacetCell, name), MEMBER(FacetCell, within)}},
+        {"WaterParams", "water", sizeof(WaterParams), {MEMBER(WaterParams, absorption), MEMBER(WaterParams, scattering), MEMBER(WaterParams, view)}},
         {"RsmTexel", "rsm", sizeof(RsmTexel), {MEMBER(RsmTexel, position), MEMBER(RsmTexel, normal), MEMBER(RsmTexel, flux)}},
     };
     return all;

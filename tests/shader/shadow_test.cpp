@@ -46,6 +46,7 @@ class ShadowLibrary : public LibraryTest {
 LightParams sun(std::uint32_t layer, float texel) {
     LightParams light{};
     light.kind = uvec4(light_directional, layer, no_layer, 0);
+    light.tiles = vec4(1, 0, 0, 1);
     light.direction = vec4(0, -1, 0, texel);
     light.intensity = vec4(1);
     light.map_clip_from_world = reversed_orthographic(4, 4, 0, 10) * view_from_world(vec3(0, 10, 0), vec3(0, -1, 0), vec3(0, 0, -1));

@@ -42,10 +42,11 @@ struct PointLight {
 };
 
 /// The sky: uniform radiance from every direction that nothing blocks. Never an ambient constant: a method that cannot
-/// tell what blocks it takes no light from it.
+/// tell what blocks it takes no light from it. The air before it may be hazy.
 struct SkyLight {
     vec3 colour{0.55f, 0.75f, 1.0f};
     float luminance = 4000.0f;
+    float visibility = 0.0f;
 };
 
 inline constexpr FieldInfo light_colour_info{.min = 0, .max = 1, .unit = "linear Rec. 709",
@@ -111,7 +112,10 @@ inline void visit_fields(FieldVisitor& visit, PointLight& light) {
 inline void visit_fields(FieldVisitor& visit, SkyLight& sky) {
     visit.field("colour", sky.colour, light_colour_info);
     visit.field("luminance", sky.luminance,
-                {.min = 0, .max = 1e6, .unit = "nit", .help = "Radiance of the sky in every direction; clear day 2,000 to 8,000. Drawn, and lit by in references; the GI methods do not know it yet.",
+                {.min = 0, .max = 1e6, .unit = "nit", .help = "Radiance of the sky in every direction; clear day 2,000 to 8,000. Lights in references and with the method facets; methods with reflective shadow maps only draw it.",
+                 .look = FieldLook::logarithmic});
+    visit.field("visibility", sky.visibility,
+                {.min = 0, .max = 1e6, .unit = "m", .help = "How far one sees through the air: what lies that far off keeps 2 % of its contrast with the sky. 0 is air without haze.",
                  .look = FieldLook::logarithmic});
 }
 

@@ -5,8 +5,8 @@
 
 namespace sl {
 
-/// What the engine's systems and scene files need: MeshPool, their tables, and the ComponentRegistry with the
-/// engine's components. Resources that are there already are kept.
+/// What the engine's systems and scene files need: MeshPool, FrameClock, DayPause, their tables, and the ComponentRegistry with
+/// the engine's components. Resources that are there already are kept.
 void add_engine_resources(World& world);
 
 /// Registers the engine's systems; the world must have the engine's resources when it runs.

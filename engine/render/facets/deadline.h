@@ -11,6 +11,8 @@ class Deadline {
     /// 0 or less: never.
     explicit Deadline(double seconds) : seconds_(seconds) {}
 
+    /// There is so many times as much time in all.
+    void extend(double times) { seconds_ *= times; }
     bool none() const { return seconds_ <= 0.0; }
     /// Whether more than this share of the time is spent.
     bool passed(double share = 1.0) const {

@@ -11,29 +11,39 @@ namespace sl {
 
 namespace {
 
-/// How much more time than its budget a frame gets where a quarter of what was met has no light: at the start, or somewhere
-/// else altogether.
+/// How much more time than its budget a frame gets where much of what is in view has no light: at the start, or somewhere else
+/// altogether. From the one share on, which a camera that moves always meets, up to the other.
 constexpr double dark_frames_take = 4.0;
+constexpr float a_little_dark = 0.03f, much_dark = 0.15f;
+
+double longer_in_the_dark(float dark) {
+    const float part = std::clamp((dark - a_little_dark) / (much_dark - a_little_dark), 0.0f, 1.0f);
+    return glm::mix(1.0, dark_frames_take, static_cast<double>(part));
+}
+
+/// Looks, each at every other square, that together meet all that a moving camera sees.
+constexpr std::uint32_t looks_that_see_all = 2;
 
 }  // namespace
 
 float FacetCache::update(const RenderScene& scene, const FrameParams& frame, const Facets& settings, const Budget& budget) {
-    follow_changes(scene, frame, settings);
-    if (memory_ > std::max(most_memory_, budget.memory) && unmended_.empty() && !patches_->mending()) forget_unseen();
-    // What has changed must be known before anything else, whatever that takes.
-    const Deadline deadline(budget.seconds * (much_is_dark() ? dark_frames_take : 1.0));
+    follow_changes(scene, frame, settings, budget.seconds > 0.0);
+    if (memory_ > std::max(most_memory_, budget.memory)) forget_unseen();
     if (std::memcmp(&seen_.clip_from_world, &frame.clip_from_world, sizeof(mat4)) != 0 || seen_.ray_up.w != frame.ray_up.w || seen_.ray_right.w != frame.ray_right.w ||
         spacing_ != settings.spacing) {
         looks_ = 0;
+        view_began_ = all_looks_;
     }
     other_spacing_ = spacing_ != settings.spacing;
     seen_ = frame;
     spacing_ = settings.spacing;
     do {
-        look_around(frame, settings, deadline);
+        Deadline deadline(budget.seconds);
+        const float fresh = look_around(frame, settings, deadline);
+        deadline.extend(longer_in_the_dark(std::max(fresh, dark_share())));
         work(settings, deadline);
         split_where_needed();
-    } while (deadline.none() && share_known() < 1.0f);
+    } while (budget.seconds <= 0.0 && share_known() < 1.0f);
     // After a change of surfaces the old light stays until each place has some of the new: a picture that is late by some
     // frames, and not one that falls dark.
     if (renewing_ && !unfinished_.empty() && corners_[unfinished_.front()].at.by_chance.empty()) return share_known();
@@ -46,9 +56,16 @@ float FacetCache::update(const RenderScene& scene, const FrameParams& frame, con
     return share_known();
 }
 
-bool FacetCache::much_is_dark() const {
-    const auto dark = static_cast<std::size_t>(std::ranges::count_if(unfinished_, [&](std::uint32_t corner) { return !corners_[corner].lit; }));
-    return corners_.empty() || 4 * dark > corners_.size() - free_corners_.size();
+bool FacetCache::in_view(const Group& group) const {
+    // Until there were enough looks from where the camera is, those from where it was still count.
+    return group.seen + (looks_ < looks_that_see_all ? looks_that_see_all : 0) > view_began_;
+}
+
+float FacetCache::dark_share() const {
+    std::size_t seen = 0;
+    for (const Group& group : groups_) seen += in_view(group) ? group.corners.size() : 0;
+    const auto is_dark = [&](std::uint32_t corner) { return !corners_[corner].lit && in_view(groups_[corners_[corner].group]); };
+    return seen == 0 ? 1.0f : static_cast<float>(std::ranges::count_if(unfinished_, is_dark)) / static_cast<float>(seen);
 }
 
 float FacetCache::share_known() const {
@@ -64,8 +81,9 @@ void FacetCache::fill_table() {
         const bool some_dark = !std::ranges::all_of(unfinished_, lit);
         shown_.clear();
         for (const auto& [name, facet] : facets_) {
-            // One that stands in does so as long as others are dark, and not past an edge or a wall, where other light is.
-            if (facet.stand_in && (facet.cut || !some_dark)) continue;
+            // One that stands in does so as long as others are dark. Past an edge its light is another surface's, which is
+            // less wrong than none.
+            if (facet.stand_in && !some_dark) continue;
             // Where there is no light yet, a coarser one stands in.
             if (std::ranges::all_of(facet.corners, lit)) shown_.push_back({.name = name, .corners = facet.corners, .split = facet.split});
         }

@@ -70,6 +70,7 @@ class FacetCache {
         bool stale = false;        ///< the guide was made in other light
         FacetName cell = 0;       ///< of the lattice, in which they lie
         std::uint32_t tried = 0;  ///< guided links that each corner had when the guide last learned from them
+        std::uint32_t seen = 0;   ///< the last look that met it
     };
     struct Facet {
         SurfacePoint middle;  ///< a point of its surface
@@ -83,11 +84,18 @@ class FacetCache {
         std::uint32_t seen = 0;  ///< the last look that met it; of one that was not split from another
     };
 
-    void follow_changes(const RenderScene& scene, const FrameParams& frame, const Facets& settings);
+    /// `may_wait`: what hardly shows need not be followed at once.
+    void follow_changes(const RenderScene& scene, const FrameParams& frame, const Facets& settings, bool may_wait);
     void start_anew(const RenderScene& scene);
     void change_lights(const RenderScene& scene);
-    std::vector<Bounds> changed_surfaces(const RenderScene& scene) const;
-    void change_surfaces(const RenderScene& scene, const FrameParams& frame, const Facets& settings, const std::vector<Bounds>& boxes);
+    /// Where surfaces are others than before.
+    struct Change {
+        Bounds box;
+        bool edited;  ///< a part of a mesh that is otherwise as it was, which somebody looks at
+    };
+    std::vector<Change> changed_surfaces(const RenderScene& scene) const;
+    /// Returns where there are no facets now.
+    std::vector<Bounds> change_surfaces(const RenderScene& scene, const std::vector<Bounds>& boxes);
     /// Returns where there are none now.
     std::vector<Bounds> forget_facets(const std::vector<Bounds>& boxes);
     void mend_later(const std::vector<Bounds>& boxes);
@@ -96,7 +104,8 @@ class FacetCache {
     void forget_unseen();
     void forget_empty_groups();
     void distrust_guide(std::uint32_t group);
-    void look_around(const FrameParams& frame, const Facets& settings, const Deadline& deadline);
+    /// Returns what the last look returned, 0 where there was none.
+    float look_around(const FrameParams& frame, const Facets& settings, const Deadline& deadline);
     /// All looks, at what boxes cover.
     void look_at(const FrameParams& frame, const Facets& settings, const std::vector<Bounds>& where);
     /// Rays of the camera through one pixel of each square of the picture.
@@ -116,12 +125,15 @@ class FacetCache {
     void release(std::uint32_t corner);
     void bury_released();
     void work(const Facets& settings, const Deadline& deadline);
+    /// Returns how many are to get their first links before others get more.
+    std::size_t put_urgent_first();
     void guide_corners();
     void improve_guides(const Facets& settings);
     std::vector<Patches::Job> jobs_of(const Group& group);
     void look_for_other_lights(const Deadline& deadline);
     void link_anew(std::uint32_t corner, const Guide* guide);
-    void link_corners(const Facets& settings, std::uint32_t most, double share, const Deadline& deadline);
+    /// Of the first `count` that want some, up to `most` links each.
+    void link_corners(const Facets& settings, std::size_t count, std::uint32_t most, double share, const Deadline& deadline);
     void light_moves();
     void reflect(const Facets& settings, const Deadline& deadline);
     void gather(const Facets& settings, const Deadline& deadline);
@@ -131,13 +143,16 @@ class FacetCache {
     void split_where_needed();
     void fill_table();
     float share_known() const;
-    bool much_is_dark() const;
+    bool in_view(const Group& group) const;
+    /// Of the corners in view, those without light.
+    float dark_share() const;
 
     std::unique_ptr<TransportWorld> world_;
     std::unique_ptr<Patches> patches_;
     std::uint64_t materials_ = 0;  ///< hash of all materials and of where the origin is
     std::uint64_t surfaces_ = 0;   ///< hash of all draws
     std::unordered_map<std::uint64_t, Bounds> draws_;  ///< content and place of what is traced
+    std::uint32_t waited_ = 0;  ///< frames, that changes of surfaces were not followed
     std::vector<RenderScene::Light> lights_;
     bool renewing_ = false;  ///< the table still holds light from before a change
 
@@ -153,7 +168,7 @@ class FacetCache {
     std::vector<std::uint32_t> untried_;   ///< groups whose guide knows nothing yet of what stands in between
     std::vector<std::uint32_t> stale_;     ///< groups whose guide was made in other light
     std::vector<std::uint32_t> unmended_;    ///< corners that do not know yet of changed surfaces; those most concerned come last
-    std::vector<std::uint32_t> unfinished_;  ///< corners that want more links, those with fewest first
+    std::vector<std::uint32_t> unfinished_;  ///< corners that want more links, the most urgent first
     std::vector<FacetName> unsplit_;         ///< facets that were not asked yet whether to split
     bool reflecting_ = false;         ///< light between patches has not settled
     std::size_t reflected_ = 0;       ///< the patch whose turn it is to reflect
@@ -173,6 +188,7 @@ class FacetCache {
     std::uint64_t version_ = 0;
     std::uint32_t looks_ = 0;      ///< since the camera or the scene changed
     std::uint32_t all_looks_ = 0;  ///< ever
+    std::uint32_t view_began_ = 0;  ///< the last of all looks before the camera came to where it is
     bool other_spacing_ = false;  ///< than in the last frame
     FrameParams seen_{};
     float spacing_ = 0.0f, noise_ = 0.0f;  ///< settings of the last frame

@@ -3,38 +3,71 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numeric>
 #include <utility>
+
+#include "engine/render/facets/merged_boxes.h"
 
 namespace sl {
 
 namespace {
 
-/// Of the scene's size: where more of it has changed, nothing is worth keeping.
+/// Of all surfaces, judged by the boxes round them: where more have changed, nothing is worth keeping.
 constexpr float most_changed = 0.5f;
 /// Changes elsewhere in one frame that are followed as such, and corners that follow in order of what they see of them.
-constexpr std::size_t most_boxes = 32, most_urgent = 4096;
+constexpr std::size_t most_boxes = 64, most_urgent = 4096;
+/// Radius over distance of a change that hardly shows, and how many frames such changes wait for others: following many
+/// costs little more than following one.
+constexpr float shows_little = 0.2f;
+constexpr std::uint32_t frames_to_wait = 8;
 
 /// What was not seen for so many looks may be forgotten, where it is that share of all facets.
 constexpr std::uint32_t looks_kept = 600;
 constexpr float worth_forgetting = 0.25f;
+
+float surface(const std::vector<Bounds>& boxes) {
+    return std::transform_reduce(boxes.begin(), boxes.end(), 0.0f, std::plus(), &half_surface);
+}
+float surface(const std::vector<RenderScene::Draw>& draws) {
+    return std::transform_reduce(draws.begin(), draws.end(), 0.0f, std::plus(), [](const RenderScene::Draw& draw) { return half_surface(draw.bounds); });
+}
+
+bool hardly_shows(const Bounds& box, const FrameParams& frame) { return box.radius() < shows_little * glm::length(box.centre() - vec3(frame.camera_position)); }
 
 /// What all that was traced depends on.
 std::uint64_t materials_of(const RenderScene& scene) { return hash_bytes(hash_mix(1, scene.materials_hash), &scene.origin, sizeof(dvec3)); }
 
 }  // namespace
 
-void FacetCache::follow_changes(const RenderScene& scene, const FrameParams& frame, const Facets& settings) {
+void FacetCache::follow_changes(const RenderScene& scene, const FrameParams& frame, const Facets& settings, bool may_wait) {
     const std::uint64_t materials = materials_of(scene), surfaces = scene.geometry_hash();
     if (!world_ || materials != materials_) {
         materials_ = materials;
         start_anew(scene);
     } else {
         if (surfaces != surfaces_) {
-            if (const auto boxes = changed_surfaces(scene); !boxes.empty()) change_surfaces(scene, frame, settings, boxes);
+            std::vector<Bounds> boxes, showing;
+            for (const Change& change : changed_surfaces(scene)) {
+                boxes.push_back(change.box);
+                if (!may_wait || change.edited || !hardly_shows(change.box, frame)) showing.push_back(change.box);
+            }
+            waited_ = showing.empty() && waited_ < frames_to_wait ? waited_ + 1 : 0;
+            if (waited_ == 0 && surface(boxes) > most_changed * surface(scene.draws)) {
+                start_anew(scene);
+            } else if (waited_ == 0 && !boxes.empty()) {
+                std::vector<Bounds> holes = change_surfaces(scene, merged_boxes(boxes, most_boxes));
+                // There must be none that show. Others are found in time, also by a camera that stands still.
+                std::erase_if(holes, [&](const Bounds& hole) { return std::ranges::none_of(showing, [&](const Bounds& box) { return box.touches(hole); }); });
+                if (!holes.empty()) look_at(frame, settings, holes);
+                looks_ = 0;
+            }
+        } else {
+            waited_ = 0;
         }
         if (lights_ != scene.lights || world_->sky != scene.sky_radiance) change_lights(scene);
     }
-    if (std::exchange(surfaces_, surfaces) != surfaces || draws_.empty()) {
+    if ((waited_ == 0 && std::exchange(surfaces_, surfaces) != surfaces) || draws_.empty()) {
         draws_.clear();
         for (const RenderScene::Draw& draw : scene.draws) draws_[draw.content] = draw.bounds;
     }
@@ -78,41 +111,26 @@ void FacetCache::start_anew(const RenderScene& scene) {
     reflecting_ = false;
     reflected_ = 0;
     looks_ = 0;
+    waited_ = 0;
     splits_are_old_ = false;
     table_is_old_ = shown_are_old_ = true;
 }
 
-std::vector<Bounds> FacetCache::changed_surfaces(const RenderScene& scene) const {
-    std::vector<Bounds> boxes;
+std::vector<FacetCache::Change> FacetCache::changed_surfaces(const RenderScene& scene) const {
+    std::vector<Change> changes;
     std::unordered_map<std::uint64_t, Bounds> left = draws_;
     for (const RenderScene::Draw& draw : scene.draws) {
         if (left.erase(draw.content) > 0) continue;
         // Of a mesh that was edited once, only the edited part is another one.
         const bool edited = !draw.changed.empty() && left.erase(draw.content_before) > 0;
-        boxes.push_back(edited ? draw.changed : draw.bounds);
+        changes.push_back({edited ? draw.changed : draw.bounds, edited});
     }
-    for (const auto& [content, bounds] : left) boxes.push_back(bounds);
-    std::erase_if(boxes, [](const Bounds& box) { return box.empty(); });
-    // What touches is one change.
-    for (std::size_t i = 0; i < boxes.size();) {
-        const auto other = std::ranges::find_if(boxes.begin() + static_cast<std::ptrdiff_t>(i) + 1, boxes.end(), [&](const Bounds& box) { return box.touches(boxes[i]); });
-        if (other == boxes.end() && boxes.size() <= most_boxes) {
-            ++i;
-            continue;
-        }
-        const auto merged = other == boxes.end() ? boxes.end() - 1 : other;
-        if (merged == boxes.begin() + static_cast<std::ptrdiff_t>(i)) break;
-        boxes[i].add(*merged);
-        boxes.erase(merged);
-        i = 0;
-    }
-    return boxes;
+    for (const auto& [content, bounds] : left) changes.push_back({bounds, false});
+    std::erase_if(changes, [](const Change& change) { return change.box.empty(); });
+    return changes;
 }
 
-void FacetCache::change_surfaces(const RenderScene& scene, const FrameParams& frame, const Facets& settings, const std::vector<Bounds>& boxes) {
-    for (const Bounds& box : boxes) {
-        if (box.radius() > most_changed * scene.bounds.radius()) return start_anew(scene);
-    }
+std::vector<Bounds> FacetCache::change_surfaces(const RenderScene& scene, const std::vector<Bounds>& boxes) {
     const auto before = world_->emitters.balls();
     // Lights are another change.
     world_->resurface(scene);
@@ -122,11 +140,11 @@ void FacetCache::change_surfaces(const RenderScene& scene, const FrameParams& fr
     std::ranges::copy_if(before, std::back_inserter(glowing), [&](const auto& ball) { return std::ranges::find(now, ball) == now.end(); });
     std::ranges::copy_if(now, std::back_inserter(glowing), [&](const auto& ball) { return std::ranges::find(before, ball) == before.end(); });
     if (!glowing.empty()) patches_->forget_light(glowing);
-    // What is seen of the changed part, at once: there must be no holes.
-    look_at(frame, settings, forget_facets(boxes));
+    std::vector<Bounds> holes = forget_facets(boxes);
     mend_later(boxes);
     light_moves();
     splits_are_old_ = true;
+    return holes;
 }
 
 void FacetCache::mend_later(const std::vector<Bounds>& boxes) {

@@ -37,11 +37,8 @@ bool goes_on_for_ever(const Facets& settings) { return settings.bounces >= 64; }
 }  // namespace
 
 void FacetCache::work(const Facets& settings, const Deadline& deadline) {
-    // Those without links come first, and nothing is refined before light has gone round once.
-    const auto linked = std::stable_partition(unfinished_.begin(), unfinished_.end(), [&](std::uint32_t corner) { return corners_[corner].at.by_chance.empty(); });
-    std::stable_partition(unfinished_.begin(), linked, [&](std::uint32_t corner) { return corners_[corner].stands_in; });
     // What is missing goes before what is wrong, and that before what is rough.
-    link_corners(settings, first_links, 0.6, deadline);
+    link_corners(settings, put_urgent_first(), first_links, 0.6, deadline);
     while (patches_->renewing() && !deadline.passed(0.7)) {
         patches_->renew(patches_at_once);
         light_moves();
@@ -58,8 +55,24 @@ void FacetCache::work(const Facets& settings, const Deadline& deadline) {
     gather(settings, deadline);
     guide_corners();
     improve_guides(settings);
-    link_corners(settings, most_links(settings), 1.0, deadline);
+    put_urgent_first();
+    link_corners(settings, unfinished_.size(), most_links(settings), 1.0, deadline);
     if (unfinished_.empty() && !reflecting_ && !patches_->mending() && to_gather_ == 0) look_for_other_lights(deadline);
+}
+
+std::size_t FacetCache::put_urgent_first() {
+    // What the camera sees goes before what it saw. Of that, those without links come first: nothing is refined before light
+    // has gone round once.
+    const auto urgency = [&](std::uint32_t number) -> std::size_t {
+        const Corner& corner = corners_[number];
+        if (!in_view(groups_[corner.group])) return 3;
+        return !corner.at.by_chance.empty() ? 2 : corner.stands_in ? 0 : 1;
+    };
+    std::array<std::vector<std::uint32_t>, 4> by_urgency;
+    for (const std::uint32_t corner : unfinished_) by_urgency[urgency(corner)].push_back(corner);
+    unfinished_.clear();
+    for (const auto& corners : by_urgency) unfinished_.insert(unfinished_.end(), corners.begin(), corners.end());
+    return by_urgency[0].size() + by_urgency[1].size();
 }
 
 void FacetCache::mend(const Deadline& deadline) {
@@ -156,14 +169,14 @@ std::vector<Patches::Job> FacetCache::jobs_of(const Group& group) {
     return jobs;
 }
 
-void FacetCache::link_corners(const Facets& settings, std::uint32_t most, double share, const Deadline& deadline) {
+void FacetCache::link_corners(const Facets& settings, std::size_t count, std::uint32_t most, double share, const Deadline& deadline) {
     std::vector<Patches::Job> jobs;
     std::size_t done = 0;
     std::vector<std::uint32_t> again;
-    while (done < unfinished_.size() && !deadline.passed(share)) {
+    while (done < count && !deadline.passed(share)) {
         jobs.clear();
         const std::size_t first = done;
-        for (; done < unfinished_.size() && jobs.size() < corners_at_once; ++done) {
+        for (; done < count && jobs.size() < corners_at_once; ++done) {
             GatherPoint& at = corners_[unfinished_[done]].at;
             const auto known = static_cast<std::uint32_t>(at.by_chance.size());
             if (known >= most) continue;

@@ -23,8 +23,9 @@ constexpr std::uint32_t beyond_the_edge = 2;
 constexpr float elsewhere = 0.02f;
 /// The cosine of the angle under which facets are seen whole, and how many levels coarser a shader searches.
 constexpr float steep = 0.25f, coarser_that_are_searched = 3.0f;
-/// And by how many a facet is that stands in where there is no light yet: a block's side or two.
-constexpr float stand_in_coarser = 2.0f;
+/// And by how many a facet is that stands in where there is no light yet: the largest that is found, for there are 64 times
+/// fewer of them, and a frame or two light them.
+constexpr float stand_in_coarser = coarser_that_are_searched;
 /// Corners that differ by this share of their mean get finer facets between them.
 constexpr float smooth_contrast = 0.25f;
 constexpr std::uint32_t smooth_splits = 3;
@@ -61,13 +62,55 @@ std::vector<vec2> steps_across_a_quarter(const SurfacePoint& point) {
     return steps;
 }
 
+/// Numbers of the squares of a look, `count` in rows; `side` pixels wide, and `margin` of them beyond the picture's edge.
+struct Squares {
+    uvec2 count;
+    float side;
+    float margin;
+
+    std::vector<std::uint32_t> all() const {
+        std::vector<std::uint32_t> numbers(std::size_t{count.x} * count.y);
+        std::iota(numbers.begin(), numbers.end(), 0u);
+        return numbers;
+    }
+    /// Those in which one of the boxes may be seen.
+    std::vector<std::uint32_t> of(const std::vector<Bounds>& boxes, const FrameParams& frame) const {
+        std::vector<char> covered(std::size_t{count.x} * count.y);
+        for (const Bounds& box : boxes) {
+            const auto [low, high] = around(box, frame);
+            for (int y = low.y; y <= high.y; ++y) {
+                for (int x = low.x; x <= high.x; ++x) covered[static_cast<std::size_t>(y) * count.x + static_cast<std::size_t>(x)] = 1;
+            }
+        }
+        std::vector<std::uint32_t> numbers = all();
+        std::erase_if(numbers, [&](std::uint32_t square) { return covered[square] == 0; });
+        return numbers;
+    }
+
+  private:
+    /// First and last row and column that a box may cover; all where it reaches behind the camera.
+    std::pair<ivec2, ivec2> around(const Bounds& box, const FrameParams& frame) const {
+        const vec2 last = vec2(count) - 1.0f;
+        vec2 low(std::numeric_limits<float>::infinity()), high(-low);
+        for (int corner = 0; corner < 8; ++corner) {
+            const vec3 place = glm::mix(box.low, box.high, vec3(corner & 1, corner >> 1 & 1, corner >> 2));
+            const vec4 clip = frame.clip_from_world * vec4(place, 1.0f);
+            if (clip.w <= frame.camera_position.w) return {ivec2(0), ivec2(last)};
+            const vec2 pixel = (vec2(clip.x, -clip.y) / clip.w * 0.5f + 0.5f) * vec2(frame.ray_right.w, frame.ray_up.w);
+            low = glm::min(low, pixel / side + margin - 1.0f);
+            high = glm::max(high, pixel / side + margin + 1.0f);
+        }
+        return {ivec2(glm::ceil(glm::clamp(low - 1.0f, vec2(0.0f), last + 1.0f))), ivec2(glm::floor(glm::clamp(high, vec2(-1.0f), last)))};
+    }
+};
+
 }  // namespace
 
 float facet_side_over_distance(const FrameParams& frame, const Facets& settings) {
     return settings.spacing * 2.0f * glm::length(vec3(frame.ray_up)) / frame.ray_up.w;
 }
 
-void FacetCache::look_around(const FrameParams& frame, const Facets& settings, const Deadline& deadline) {
+float FacetCache::look_around(const FrameParams& frame, const Facets& settings, const Deadline& deadline) {
     // After so many, all that a still camera sees has been met. One that moves meets little that is new, and looks again in
     // the next frame; unless it is somewhere else altogether.
     const std::uint32_t all = looks_per_side(settings) * looks_per_side(settings);
@@ -76,13 +119,15 @@ void FacetCache::look_around(const FrameParams& frame, const Facets& settings, c
     const vec2 squares = glm::ceil(vec2(frame.ray_right.w, frame.ray_up.w) / std::max(settings.spacing, 1.0f));
     // Nor do those that meet facets of another width.
     if (deadline.none() && (squares.x * squares.y * elsewhere < 1.0f || other_spacing_)) most = all;
+    float fresh = 0.0f;
     for (std::uint32_t i = 0; i < most && looks_ < all && !deadline.passed(looking_takes); ++i) {
         // A camera that moves sees what it missed a frame later; at every other square it is asked in turn.
         const Look what{.number = all_looks_++ % all, .margin = deadline.none() ? 0 : beyond_the_edge, .half = looks_ == 0 && !deadline.none()};
         ++looks_;
-        const float fresh = look(frame, settings, what);
+        fresh = look(frame, settings, what);
         if (deadline.none() && fresh > elsewhere) most = all;
     }
+    return fresh;
 }
 
 void FacetCache::look_at(const FrameParams& frame, const Facets& settings, const std::vector<Bounds>& where) {
@@ -100,8 +145,11 @@ float FacetCache::look(const FrameParams& frame, const Facets& settings, const L
         std::array<float, 3> levels;
         float stand_in;
     };
-    std::vector<std::optional<Seen>> unknown(std::size_t{count.x} * count.y);
-    tbb::parallel_for(std::size_t{0}, unknown.size(), [&](std::size_t i) {
+    const Squares squares{.count = count, .side = spacing, .margin = static_cast<float>(what.margin)};
+    const std::vector<std::uint32_t> looked_at = where.empty() ? squares.all() : squares.of(where, frame);
+    std::vector<std::optional<Seen>> unknown(looked_at.size());
+    tbb::parallel_for(std::size_t{0}, looked_at.size(), [&](std::size_t number) {
+        const std::size_t i = looked_at[number];
         if (what.half && ((i % count.x + i / count.x + what.number) & 1) != 0) return;
         const vec2 cell = vec2(i % count.x, i / count.x) - static_cast<float>(what.margin), last = size - 1.0f + spacing * static_cast<float>(what.margin);
         const vec2 at = (glm::min(glm::floor((cell + within) * spacing), last) + 0.5f) / size;
@@ -121,8 +169,11 @@ float FacetCache::look(const FrameParams& frame, const Facets& settings, const L
         for (const float level : {near, far, coarse}) {
             const auto known = facets_.find(facet_name(facet_cell(point.position, point.normal(), level)));
             // Other rays of this look may meet it as well, and say the same.
-            if (known != facets_.end()) std::atomic_ref(known->second.seen).store(all_looks_, std::memory_order_relaxed);
-            if (known == facets_.end() || known->second.stand_in) unknown[i] = Seen{point, {near, far, coarse}, near + stand_in_coarser};
+            if (known != facets_.end()) {
+                std::atomic_ref(known->second.seen).store(all_looks_, std::memory_order_relaxed);
+                std::atomic_ref(groups_[corners_[known->second.corners[0]].group].seen).store(all_looks_, std::memory_order_relaxed);
+            }
+            if (known == facets_.end() || known->second.stand_in) unknown[number] = Seen{point, {near, far, coarse}, near + stand_in_coarser};
         }
     });
     const auto known = static_cast<std::ptrdiff_t>(unfinished_.size());
@@ -135,7 +186,7 @@ float FacetCache::look(const FrameParams& frame, const Facets& settings, const L
     }
     // All over the picture rather than from its top down: where the time of a frame ends, there is some light everywhere.
     std::sort(unfinished_.begin() + known, unfinished_.end(), [](std::uint32_t a, std::uint32_t b) { return a * 0x9e3779b1u < b * 0x9e3779b1u; });
-    return static_cast<float>(fresh) / static_cast<float>(unknown.size());
+    return static_cast<float>(fresh) / static_cast<float>(squares.count.x * squares.count.y);
 }
 
 void FacetCache::add(const SurfacePoint& point, float level, FacetName root, std::uint32_t depth, bool stand_in) {
@@ -190,6 +241,7 @@ std::uint32_t FacetCache::add_corner(const FacetCorner& corner, float level, flo
     }
     const FacetName cell = facet_name(facet_cell(corner.point.position, corner.point.normal(), level_of_group));
     const std::uint32_t group = group_at(cell);
+    groups_[group].seen = all_looks_;
     corners_[id] = {.at = {.point = corner.point, .level = level, .guide = groups_[group].guide.get()}, .group = group};
     groups_[group].corners.push_back(id);
     unfinished_.push_back(id);

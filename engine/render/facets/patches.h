@@ -70,8 +70,7 @@ class Patches {
     /// All points and patches have followed all changes: no link leads to what is gone, and its place can be taken.
     void forget_changes();
 
-    /// Forgets all patches from which no light comes to these points, straight or reflected. Not while points or patches have
-    /// changes to follow.
+    /// Forgets all patches from which no light comes to these points, straight or reflected.
     void forget_all_but_seen_from(std::span<const GatherPoint* const> points);
     /// Bytes, about.
     std::size_t memory() const;

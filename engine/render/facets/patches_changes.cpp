@@ -5,12 +5,15 @@
 
 #include <algorithm>
 
+#include "engine/render/facets/merged_boxes.h"
 #include "engine/render/trace/direct_light.h"
 
 namespace sl {
 
 namespace {
 
+/// Changes that some links may not know of.
+constexpr std::size_t most_unfollowed = 64, few_unfollowed = 16;
 /// What packing may turn a direction by, rad.
 constexpr float packed_angle = 0.004f;
 
@@ -28,6 +31,11 @@ void Patches::change(std::span<const Bounds> boxes) {
     changes_.insert(changes_.end(), boxes.begin(), boxes.end());
     all_changes_ += static_cast<std::uint32_t>(boxes.size());
     mended_ = 0;
+    // Where changes come faster than they are followed, few large ones stand for all: who has not followed the last of
+    // them looks at each.
+    if (changes_.size() <= most_unfollowed) return;
+    changes_ = merged_boxes(std::move(changes_), few_unfollowed);
+    all_changes_ += static_cast<std::uint32_t>(changes_.size());
 }
 
 void Patches::forget_changes() {
@@ -151,6 +159,9 @@ void Patches::forget_all_but_seen_from(std::span<const GatherPoint* const> point
         remove(id);
         free_.push_back(id);
     }
+    const auto unlinked = std::ranges::partition(gone_, [&](std::uint32_t id) { return seen[id] != 0; });
+    free_.insert(free_.end(), unlinked.begin(), unlinked.end());
+    gone_.erase(unlinked.begin(), unlinked.end());
     remove_from_lists();
 }
 

@@ -98,6 +98,12 @@ bool FrameGraph::needs_redraw(ResourceId resource, std::uint32_t layer, std::uin
     return true;
 }
 
+std::uint64_t FrameGraph::drawn_key(ResourceId resource, std::uint32_t layer) const {
+    const ResourceRecord& record = resources_[resource.index];
+    CHECK(record.lifetime == Lifetime::persistent, "'{}' does not survive frames", record.name);
+    return states_->find(record).keys[layer];
+}
+
 FrameGraph::History FrameGraph::history(std::string_view name, const TextureDesc& desc) {
     const bool odd = states_->frame % 2 == 1;
     const std::string even_name = fmt::format("{}:even", name);

@@ -87,6 +87,8 @@ class FrameGraph {
     /// Whether a layer of a persistent image (or a buffer: layer 0) must be drawn: its contents were not made from `key`. Remembers that they
     /// will be, once a pass that writes the layer has run.
     bool needs_redraw(ResourceId resource, std::uint32_t layer, std::uint64_t key);
+    /// What a layer of a persistent image was last made from; 0: of nothing.
+    std::uint64_t drawn_key(ResourceId resource, std::uint32_t layer) const;
     /// Last frame's and this frame's image under one name; `valid` is false in the first frame and after a resize.
     struct History {
         ImageId previous, current;

@@ -24,6 +24,7 @@ struct FrameInput {
     /// What the passes for GI took on the GPU when that was last known; 0 where nobody times them.
     double gi_gpu_seconds = 0.0;
     float seconds = 1.0f / 60.0f;  ///< since the last frame
+    double time = 0.0;             ///< s; what moves by itself moves by it
 
     TextureDesc screen(Format format) const { return {.width = width, .height = height, .format = format}; }
 };

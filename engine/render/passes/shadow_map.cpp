@@ -2,6 +2,8 @@
 #include "engine/render/passes/shadow_map.h"
 
 #include <algorithm>
+#include <array>
+#include <numeric>
 
 #include "shared/view.h"
 
@@ -9,30 +11,107 @@ namespace sl {
 
 namespace {
 
-ImageId shadow_array(const FrameInput& frame, const char* name, const std::vector<std::uint32_t>& lights) {
+/// Far tiles that are drawn in a frame of a game; each stands for many changes then.
+constexpr std::uint32_t most_far = 2;
+/// Triangles of tiles of a sun that is about to move, in a frame, and one tile more.
+constexpr std::uint64_t enough_of_next = 25000;
+
+/// What is drawn into each layer of an array of shadow maps in this frame.
+class Turns {
+  public:
+    enum class Turn { none, empty, whole };
+
+    Turns(const FrameInput& frame, ImageId array, const std::vector<ShadowLayer>& layers) : frame_(frame), array_(array), layers_(layers) {
+        const auto moved = std::ranges::count_if(indices(), [&](std::uint32_t layer) { return elsewhere(layer); });
+        // A picture waits for all, and under another sun nothing that was drawn is of use.
+        waiting_ = frame.slice_budget != ~0u && 2 * static_cast<std::size_t>(moved) < layers.size();
+        if (!waiting_ || layers.empty()) return;
+        // Each has its turn, however often others change.
+        const auto all = static_cast<std::uint32_t>(layers.size()), first = frame.params.counts.y * most_far % all;
+        for (std::uint32_t i = 0; i < all && drawn_.size() < most_far; ++i) {
+            const std::uint32_t layer = (first + i) % all;
+            if (layers[layer].far && stale(layer)) drawn_.push_back(layer);
+        }
+    }
+    Turn of(std::uint32_t layer) const {
+        if (!stale(layer)) return Turn::none;
+        if (!waiting_ || !layers_[layer].far || std::ranges::find(drawn_, layer) != drawn_.end()) return Turn::whole;
+        // What was there is shown until it has its turn, but not somewhere else.
+        return elsewhere(layer) ? Turn::empty : Turn::none;
+    }
+
+  private:
+    std::uint64_t drawn(std::uint32_t layer) const { return frame_.graph.drawn_key(array_, layer); }
+    bool stale(std::uint32_t layer) const { return drawn(layer) != layers_[layer].key; }
+    bool elsewhere(std::uint32_t layer) const { return drawn(layer) >> 32 != layers_[layer].key >> 32; }
+    std::vector<std::uint32_t> indices() const {
+        std::vector<std::uint32_t> all(layers_.size());
+        std::iota(all.begin(), all.end(), 0u);
+        return all;
+    }
+
+    const FrameInput& frame_;
+    ImageId array_;
+    const std::vector<ShadowLayer>& layers_;
+    bool waiting_ = false;
+    std::vector<std::uint32_t> drawn_;
+};
+
+ImageId shadow_array(const FrameInput& frame, const char* name, const std::vector<ShadowLayer>& layers) {
     std::uint32_t size = 1;
-    for (const std::uint32_t light : lights) size = std::max(size, frame.scene.lights[light].shadow_size);
-    const auto layers = static_cast<std::uint32_t>(std::max<std::size_t>(lights.size(), 1));
-    ImageId array = frame.graph.persistent(name, {.width = size, .height = size, .layers = layers, .format = Format::depth32f});
-    for (std::uint32_t layer = 0; layer < lights.size(); ++layer) {
-        const LightMap& map = frame.lights.maps[lights[layer]];
-        if (!frame.graph.needs_redraw(array, layer, map.key)) continue;
-        auto pass = frame.graph.geometry(fmt::format("{}_{}", name, layer), "passes/shadow_map.vert", "passes/shadow_map.frag");
-        pass.params("View", ViewParams{.clip_from_world = map.clip_from_world, .light = {}})
-            .storage("Draws", frame.inputs.draws)
-            .draws(frame.inputs.list(visible_draws(frame.scene, map.clip_from_world)))
-            .two_sided()
-            .depth_bias(1.0f);
-        array = pass.depth(array, Load::clear, layer);
+    for (const ShadowLayer& layer : layers) size = std::max(size, layer.size);
+    const auto count = static_cast<std::uint32_t>(std::max<std::size_t>(layers.size(), 1));
+    return frame.graph.persistent(name, {.width = size, .height = size, .layers = count, .format = Format::depth32f});
+}
+
+/// Draws a layer anew, or empties it; returns the array with it.
+ImageId draw_layer(const FrameInput& frame, const char* name, ImageId array, std::uint32_t layer, const ShadowLayer& map, bool whole) {
+    if (!frame.graph.needs_redraw(array, layer, whole ? map.key : map.empty_key())) return array;
+    auto pass = frame.graph.geometry(fmt::format("{}_{}", name, layer), "passes/shadow_map.vert", "passes/shadow_map.frag");
+    pass.params("View", ViewParams{.clip_from_world = map.clip_from_world, .light = {}})
+        .storage("Draws", frame.inputs.draws)
+        .draws(frame.inputs.list(whole ? map.draws : std::vector<std::uint32_t>()))
+        .two_sided()
+        .depth_bias(1.0f);
+    return pass.depth(array, Load::clear, layer);
+}
+
+ImageId drawn_array(const FrameInput& frame, const char* name, const std::vector<ShadowLayer>& layers) {
+    ImageId array = shadow_array(frame, name, layers);
+    const Turns turns(frame, array, layers);
+    for (std::uint32_t layer = 0; layer < layers.size(); ++layer) {
+        const Turns::Turn turn = turns.of(layer);
+        if (turn != Turns::Turn::none) array = draw_layer(frame, name, array, layer, layers[layer], turn == Turns::Turn::whole);
     }
     return array;
 }
 
+/// Some more layers of the array that suns are about to move to; returns whether none is left.
+bool draw_next(const FrameInput& frame, const char* name, const std::vector<ShadowLayer>& layers) {
+    ImageId array = shadow_array(frame, name, layers);
+    std::uint64_t triangles = 0;
+    bool all = true;
+    for (std::uint32_t layer = 0; layer < layers.size(); ++layer) {
+        // What changes there once it is drawn, is drawn when the array is in use.
+        if (frame.graph.drawn_key(array, layer) >> 32 == layers[layer].key >> 32) continue;
+        all = triangles < enough_of_next;
+        if (!all) break;
+        array = draw_layer(frame, name, array, layer, layers[layer], true);
+        for (const std::uint32_t draw : layers[layer].draws) triangles += frame.inputs.calls[draw].index_count / 3;
+    }
+    frame.graph.want(array);
+    return all;
+}
+
+constexpr std::array sun_arrays{"shadow_sun", "shadow_sun_other"};
+
 }  // namespace
 
 ShadowMaps shadow_maps(const FrameInput& frame) {
-    return {.sun = shadow_array(frame, "shadow_sun", frame.lights.sun_layers),
-            .spot = shadow_array(frame, "shadow_spot", frame.lights.spot_layers)};
+    const LightTable& lights = frame.lights;
+    ShadowMaps maps{.sun = drawn_array(frame, sun_arrays[lights.sun_array], lights.sun_layers), .spot = drawn_array(frame, "shadow_spot", lights.spot_layers)};
+    if (!lights.next_sun_layers.empty()) maps.next_is_drawn = draw_next(frame, sun_arrays[1 - lights.sun_array], lights.next_sun_layers);
+    return maps;
 }
 
 }  // namespace sl

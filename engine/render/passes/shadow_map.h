@@ -10,6 +10,7 @@ namespace sl {
 struct ShadowMaps {
     ImageId sun;   ///< array: directional lights
     ImageId spot;  ///< array: spot lights
+    bool next_is_drawn = false;  ///< the array that suns are about to move to has all of its layers
 };
 
 ShadowMaps shadow_maps(const FrameInput& frame);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/ecs/components.h"
+#include "engine/ecs/components/water.h"
 #include "engine/ecs/query.h"
 
 namespace sl {
@@ -21,6 +22,9 @@ dvec3 snapped_origin(const dvec3& eye, const dvec3& previous) {
 
 vec3 relative(const WorldTransform& transform, const dvec3& origin) { return vec3(transform.origin - origin); }
 
+/// 1/m, of air through which 2 % of a contrast are left at that distance, m (Koschmieder 1924).
+float extinction_of(float visibility) { return 3.912f / visibility; }
+
 vec3 forward_of(const WorldTransform& transform) { return glm::normalize(transform.linear * vec3(0, 0, -1)); }
 
 void extract_view(World& world, RenderScene& scene) {
@@ -36,7 +40,8 @@ void extract_view(World& world, RenderScene& scene) {
                                        .near = camera.near,
                                        .ev100 = camera.ev100,
                                        .auto_exposure = camera.auto_exposure,
-                                       .antialias = camera.antialias};
+                                       .antialias = camera.antialias,
+                                       .in_water = world.has<InWater>(entity)};
         if (const auto* gi = world.find<GiSettings>(entity)) scene.gi = *gi;
         return;
     }
@@ -55,6 +60,12 @@ std::uint64_t material_hash(const MaterialEntry& entry) {
     return hash_mix(hash_bytes(0x5ec0d, values.data(), sizeof values), static_cast<std::uint32_t>(entry.texture_layer));
 }
 
+mat4 placed(const WorldTransform& transform, const dvec3& origin) {
+    mat4 world_from_local(transform.linear);
+    world_from_local[3] = vec4(relative(transform, origin), 1.0f);
+    return world_from_local;
+}
+
 void extract_draws(World& world, RenderScene& scene) {
     scene.draws.clear();
     scene.bounds = {};
@@ -67,8 +78,7 @@ void extract_draws(World& world, RenderScene& scene) {
         RenderScene::Draw draw;
         draw.mesh = instance.mesh;
         draw.entity = entity;
-        draw.world_from_local = mat4(transform.linear);
-        draw.world_from_local[3] = vec4(relative(transform, scene.origin), 1.0f);
+        draw.world_from_local = placed(transform, scene.origin);
         std::uint64_t own_material = 0;
         if (instance.first_material == MeshInstance::own_material) {
             const auto* material = world.find<Material>(entity);
@@ -89,6 +99,17 @@ void extract_draws(World& world, RenderScene& scene) {
     }
     scene.materials_hash = scene.textures != nullptr ? scene.textures->version : 0;
     for (const MaterialEntry& entry : scene.materials) scene.materials_hash = hash_mix(scene.materials_hash, material_hash(entry));
+}
+
+void extract_waters(World& world, RenderScene& scene) {
+    scene.waters.clear();
+    if (scene.meshes == nullptr) return;
+    for (auto [entity, water, transform] : Query<const WaterSurface, const WorldTransform>(world)) {
+        const MeshData* mesh = scene.meshes->find(water.mesh);
+        if (mesh == nullptr || mesh->indices.empty()) continue;
+        const mat4 world_from_local = placed(transform, scene.origin);
+        scene.waters.push_back({.mesh = water.mesh, .world_from_local = world_from_local, .bounds = transformed(mesh->bounds, world_from_local), .entity = entity});
+    }
 }
 
 void extract_lights(World& world, RenderScene& scene) {
@@ -115,7 +136,11 @@ void extract_lights(World& world, RenderScene& scene) {
                                 .intensity = light.colour * light.intensity, .range = light.range, .entity = entity});
     }
     scene.sky_radiance = vec3(0.0f);
-    for (auto [entity, sky] : Query<const SkyLight>(world)) scene.sky_radiance += sky.colour * sky.luminance;
+    scene.extinction = 0.0f;
+    for (auto [entity, sky] : Query<const SkyLight>(world)) {
+        scene.sky_radiance += sky.colour * sky.luminance;
+        if (sky.visibility > 0.0f) scene.extinction += extinction_of(sky.visibility);
+    }
 }
 
 }  // namespace
@@ -124,6 +149,7 @@ void extract(World& world, RenderScene& scene) {
     extract_view(world, scene);
     extract_materials(world, scene);
     extract_draws(world, scene);
+    extract_waters(world, scene);
     extract_lights(world, scene);
 }
 

@@ -16,43 +16,10 @@ using Light = RenderScene::Light;
 
 bool has_map(const Light& light) { return light.kind != Light::Kind::point && (light.casts_shadow || light.bounces); }
 
-/// The square across a directional light: centre in light space (x, y), half side, and how deep the scene reaches.
-struct Square {
-    vec2 centre{0.0f};
-    float half = 1.0f;
-    float nearest = 0.0f, farthest = 1.0f;  ///< along the light, relative to the origin
-};
-
-Square fit_square(const RenderScene& scene, const Light& light, const mat4& light_from_world) {
-    const Bounds scene_in_light = transformed(scene.bounds, light_from_world);
-    Square square;
-    square.nearest = -scene_in_light.high.z;
-    square.farthest = -scene_in_light.low.z;
-    const vec3 extent = 0.5f * (scene_in_light.high - scene_in_light.low);
-    // One texel of margin keeps the outermost surfaces off the map's border.
-    const float whole = std::max(extent.x, extent.y) * (1.0f + 2.0f / static_cast<float>(light.shadow_size));
-    if (whole <= light.shadow_distance) {
-        square.centre = vec2(scene_in_light.centre());
-        square.half = std::max(whole, 1e-6f);
-        return square;
-    }
-    square.half = light.shadow_distance;
-    const vec2 eye = vec2(light_from_world * vec4(scene.view ? scene.view->position : vec3(0.0f), 1.0f));
-    const float step = square.half / 8.0f;  // a whole number of texels, for every size that is a multiple of 16
-    square.centre = glm::round(eye / step) * step;
-    return square;
-}
-
-LightMap fit_directional(const RenderScene& scene, const Light& light) {
-    const mat4 light_from_world = view_from_world(vec3(0.0f), light.direction, vec3(0, 1, 0));
-    const Square square = fit_square(scene, light, light_from_world);
-    const float margin = 0.01f * (square.farthest - square.nearest) + 1e-3f * square.half;
-    mat4 centred = light_from_world;
-    centred[3] -= vec4(square.centre, 0.0f, 0.0f);
+LightMap map_of(const SunSquare& square) {
     LightMap map;
     map.half_extent = square.half;
-    map.clip_from_world =
-        reversed_orthographic(square.half, square.half, square.nearest - margin, square.farthest + margin) * centred;
+    map.clip_from_world = square.clip_from_world(square.centre, square.half);
     map.map_area = 4.0f * square.half * square.half;
     return map;
 }
@@ -96,6 +63,7 @@ LightParams light_params(const Light& light, const LightMap& map) {
     params.intensity = vec4(light.intensity, map.map_area);
     params.cone = cone_ramp(light.inner_cone, light.outer_cone);
     params.kind = uvec4(static_cast<std::uint32_t>(light.kind), no_layer, no_layer, 0);
+    params.tiles = vec4(1, 0, 0, 1);
     return params;
 }
 
@@ -116,48 +84,71 @@ void share_flux(const RenderScene& scene, LightTable& table) {
     }
 }
 
-}  // namespace
+/// Suns whose shadows are drawn, with their squares.
+using Suns = std::vector<std::pair<std::uint32_t, SunSquare>>;
 
-LightMap fit_light_map(const RenderScene& scene, const Light& light) {
-    LightMap map = light.kind == Light::Kind::directional ? fit_directional(scene, light) : fit_spot(scene, light);
-    map.key = hash_mix(light_hash(light), scene.materials_hash);
-    map.key = hash_bytes(map.key, &map.clip_from_world, sizeof(mat4));
-    for (const std::uint32_t draw : visible_draws(scene, map.clip_from_world)) {
-        map.key = hash_mix(map.key, scene.draws[draw].content);
+void add_sun_layers(const RenderScene& scene, const Suns& suns, LightTable& table) {
+    // All layers of an array are of one size, so all suns have as many tiles.
+    const bool moves = std::ranges::any_of(suns, [](const auto& sun) { return sun.second.moves; });
+    for (const auto& [light, square] : suns) {
+        SunLayers made = sun_layers(scene, scene.lights[light], square, moves ? SunSquare::most_tiles : 1);
+        table.params[light].kind.y = static_cast<std::uint32_t>(table.sun_layers.size());
+        table.params[light].tiles = made.params;
+        std::ranges::move(made.layers, std::back_inserter(table.sun_layers));
     }
-    return map;
 }
+
+std::uint64_t content_key(const RenderScene& scene, const Light& light, const LightMap& map, const std::vector<std::uint32_t>& draws) {
+    std::uint64_t key = hash_mix(light_hash(light), scene.materials_hash);
+    key = hash_bytes(key, &map.clip_from_world, sizeof(mat4));
+    for (const std::uint32_t draw : draws) key = hash_mix(key, scene.draws[draw].content);
+    return key;
+}
+
+}  // namespace
 
 LightTable build_light_table(const RenderScene& scene) {
     CHECK(std::ranges::is_sorted(scene.lights, {}, &Light::kind), "lights must stand in the order of their kinds");
     LightTable table;
+    Suns suns;
     for (std::uint32_t i = 0; i < scene.lights.size(); ++i) {
         const Light& light = scene.lights[i];
-        const bool mapped = has_map(light) && !scene.draws.empty();
-        table.maps.push_back(mapped ? fit_light_map(scene, light) : LightMap{});
-        LightParams params = light_params(light, table.maps.back());
-        if (mapped && light.casts_shadow) {
-            auto& layers = light.kind == Light::Kind::directional ? table.sun_layers : table.spot_layers;
-            params.kind.y = static_cast<std::uint32_t>(layers.size());
-            layers.push_back(i);
+        const bool mapped = has_map(light) && !scene.draws.empty(), sun = light.kind == Light::Kind::directional;
+        LightMap& map = table.maps.emplace_back();
+        std::vector<std::uint32_t> seen;
+        if (mapped && sun) {
+            const SunSquare square = fit_sun_square(scene, light);
+            map = map_of(square);
+            if (light.casts_shadow) suns.emplace_back(i, square);
+        } else if (mapped) {
+            map = fit_spot(scene, light);
+        }
+        if (mapped && (light.bounces || !sun)) {
+            seen = visible_draws(scene, map.clip_from_world);
+            map.key = content_key(scene, light, map, seen);
+        }
+        LightParams& params = table.params.emplace_back(light_params(light, map));
+        if (mapped && light.casts_shadow && !sun) {
+            params.kind.y = static_cast<std::uint32_t>(table.spot_layers.size());
+            table.spot_layers.push_back({.size = light.shadow_size, .clip_from_world = map.clip_from_world, .key = map.key, .draws = std::move(seen)});
         }
         if (mapped && light.bounces) {
             params.kind.z = static_cast<std::uint32_t>(table.rsm_layers.size());
             table.rsm_layers.push_back(i);
         }
-        table.params.push_back(params);
     }
+    add_sun_layers(scene, suns, table);
     share_flux(scene, table);
     return table;
 }
 
-std::vector<std::uint32_t> visible_draws(const RenderScene& scene, const mat4& clip_from_world) {
+std::vector<std::uint32_t> visible_draws(std::span<const RenderScene::Draw> draws, const mat4& clip_from_world) {
     const mat4 rows = glm::transpose(clip_from_world);
     // Left, right, bottom, top; and in front (w > 0 for perspective). Far does not exist, near is harmless to keep.
     const std::array<vec4, 5> planes{rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1], rows[3] - rows[1], rows[3]};
     std::vector<std::uint32_t> visible;
-    for (std::uint32_t i = 0; i < scene.draws.size(); ++i) {
-        const Bounds& box = scene.draws[i].bounds;
+    for (std::uint32_t i = 0; i < draws.size(); ++i) {
+        const Bounds& box = draws[i].bounds;
         bool outside = false;
         for (const vec4& plane : planes) {
             const vec3 farthest = glm::mix(box.low, box.high, glm::greaterThanEqual(vec3(plane), vec3(0.0f)));
@@ -166,6 +157,10 @@ std::vector<std::uint32_t> visible_draws(const RenderScene& scene, const mat4& c
         if (!outside) visible.push_back(i);
     }
     return visible;
+}
+
+std::vector<std::uint32_t> visible_draws(const RenderScene& scene, const mat4& clip_from_world) {
+    return visible_draws(scene.draws, clip_from_world);
 }
 
 }  // namespace sl

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "engine/render/scene/render_scene.h"
 
-#include <cmath>
+#include "shared/exposure.h"
 
 namespace sl {
 
-float RenderScene::View::exposure() const { return 1.0f / (1.2f * std::exp2(ev100)); }
+float RenderScene::View::exposure() const { return exposure_of(ev100); }
 
 std::uint64_t RenderScene::geometry_hash() const {
     std::uint64_t hash = materials_hash;

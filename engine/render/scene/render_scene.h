@@ -23,6 +23,7 @@ struct RenderScene {
         float ev100 = 12.0f;
         bool auto_exposure = false;
         bool antialias = true;
+        bool in_water = false;
 
         /// Multiplies nit: 1 / (1.2 · 2^EV100) (ISO 2720).
         float exposure() const;
@@ -60,10 +61,12 @@ struct RenderScene {
     dvec3 origin{0.0};
     std::optional<View> view;  ///< none: there is nothing to draw from
     std::vector<Draw> draws;
+    std::vector<Draw> waters;  ///< surfaces of water, which no light meets
     std::vector<Light> lights;  ///< directional first, then spots, then points
     std::vector<MaterialEntry> materials;
     std::uint64_t materials_hash = 0;
     vec3 sky_radiance{0.0f};  ///< nit
+    float extinction = 0.0f;  ///< 1/m: of the air between camera and surfaces, which is as bright as the sky
     std::optional<GiSettings> gi;
     Bounds bounds;  ///< of all draws
     const MeshPool* meshes = nullptr;

@@ -62,7 +62,11 @@ PathSample PathTracer::trace(uvec2 pixel, std::uint32_t number, const PathRecord
         out.direct = world_.sky;
         return out;
     }
-    walk_path(world_, world_.scene.surface_at(*hit), -glm::normalize(ray.direction), samples, out, record);
+    const SurfacePoint seen = world_.scene.surface_at(*hit);
+    walk_path(world_, seen, -glm::normalize(ray.direction), samples, out, record);
+    const float left = air_transmittance(frame_, glm::length(seen.position - ray.origin));
+    out.direct = glm::mix(world_.sky, out.direct, left);
+    out.indirect *= left;
     return out;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "engine/render/trace/trace_scene.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
@@ -67,9 +69,10 @@ struct TraceScene::Data {
     LinearTextures textures{nullptr};
 
     Data() {
-        // Dynamic: a tree for each mesh and one over them, so that a change builds anew what has changed.
+        // A tree for each mesh and one over them, so that a change builds anew what has changed: Embree makes these for low
+        // quality alone, which is that of the upper tree.
         rtcSetSceneFlags(scene, static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_DYNAMIC));
-        rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_HIGH);
+        rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_LOW);
     }
     ~Data() { rtcReleaseScene(scene); }
 
@@ -108,9 +111,11 @@ void TraceScene::update(const RenderScene& scene) {
         }
     }
     for (const auto& [content, id] : before) data_->remove(id);
-    for (const RenderScene::Draw* draw : fresh) {
-        data_->number.emplace(draw->content, data_->add(std::make_unique<TracedMesh>(data_->device, scene.meshes->at(draw->mesh), *draw)));
-    }
+    std::vector<std::unique_ptr<const TracedMesh>> meshes(fresh.size());
+    tbb::parallel_for(std::size_t{0}, fresh.size(), [&](std::size_t i) {
+        meshes[i] = std::make_unique<TracedMesh>(data_->device, scene.meshes->at(fresh[i]->mesh), *fresh[i]);
+    });
+    for (std::size_t i = 0; i < fresh.size(); ++i) data_->number.emplace(fresh[i]->content, data_->add(std::move(meshes[i])));
     rtcCommitScene(data_->scene);
 }
 

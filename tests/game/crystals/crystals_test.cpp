@@ -21,7 +21,12 @@ namespace valley = crystal_valley;
 
 class Valley : public testing::Test {
   protected:
-    void SetUp() override { app.world.emplace_resource<LightMeter>(); }
+    void SetUp() override {
+        app.world.emplace_resource<LightMeter>();
+        set_hour(early_afternoon);
+    }
+    /// When the sun falls into all that is open above.
+    static constexpr double early_afternoon = 13.567;
 
     Entity named(const std::string& wanted) {
         for (auto [entity, name] : Query<const Name>(app.world)) {
@@ -49,6 +54,12 @@ class Valley : public testing::Test {
             }
         }
     }
+    void set_hour(double hour) {
+        for (auto [entity, day] : Query<DayCycle>(app.world)) {
+            day.hour = hour;
+            day.runs = false;
+        }
+    }
     bool awake(const std::string& crystal) { return app.world.get<Crystal>(named(crystal)).awake; }
     App app = open_scene({.scene = "crystals"});
     RenderScene scene;
@@ -63,6 +74,16 @@ TEST_F(Valley, SleepsAsItIs) {
         EXPECT_TRUE(search.light) << name;
         EXPECT_FALSE(awake(name));
         EXPECT_EQ(search.all, 5u);
+    }
+}
+
+TEST_F(Valley, SleepsAsItIsAtEveryHour) {
+    for (double hour = 0.0; hour < 24.0; hour += hour < 6.0 || hour > 18.0 ? 2.0 : 1.0) {
+        set_hour(hour);
+        for (const char* name : all_names) {
+            stay_at(name, 2.0);
+            EXPECT_FALSE(awake(name)) << name << " at " << hour;
+        }
     }
 }
 

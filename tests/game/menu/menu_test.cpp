@@ -174,6 +174,8 @@ TEST_F(MenuTest, HelpShowsTheKeysAsTheyAreNow) {
     EXPECT_THAT(text_, HasSubstr("Page up"));
     EXPECT_THAT(text_, HasSubstr("W A S D        Walk"));
     EXPECT_THAT(text_, HasSubstr("right trigger"));
+    for (const char* tab : {"Light", "Scene", "Compare", "See", "Picture", "Frame"}) EXPECT_THAT(text_, HasSubstr(tab));
+    EXPECT_THAT(text_, HasSubstr("drags the sun"));
     EXPECT_LE(std::ranges::count(keys_text(settings_.keys), '\n'), 24) << "it must fit a window 360 pixels high";
 }
 

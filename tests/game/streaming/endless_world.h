@@ -5,6 +5,7 @@
 
 #include "engine/core/clock.h"
 #include "engine/ecs/components.h"
+#include "engine/ecs/components/water.h"
 #include "engine/ecs/query.h"
 #include "game/streaming/terrain_stream.h"
 #include "game/voxel/generators.h"
@@ -39,6 +40,11 @@ class EndlessWorld : public testing::Test {
     TerrainStream& stream() { return app_.world.get<TerrainStream>(terrain_); }
     VoxelVolume& volume() { return app_.world.resource<VoxelVolumes>().at(stream().volume); }
     const VoxelContent& content() { return app_.world.get<VoxelContent>(terrain_); }
+    std::size_t waters() {
+        std::size_t count = 0;
+        for ([[maybe_unused]] auto [entity, water] : Query<const WaterSurface>(app_.world)) ++count;
+        return count;
+    }
     /// Lets job threads finish all that is in view.
     void settle() {
         const std::size_t wanted = columns_round(ivec2(0), view_columns).size();

@@ -82,7 +82,9 @@ std::size_t cell_count(const BlockBox& box) {
 TEST(Generators, SameSeedSameBlocks) {
     for (const std::string_view name : generator_names()) {
         EXPECT_EQ(checksum(generated(name)), checksum(generated(name))) << name;
-        EXPECT_EQ(generated(name).block_count() > 0, name != endless_generator) << name;
+        // Endless land comes where somebody is, and a region holds what its text says.
+        const bool empty = name == endless_generator || name == region_generator;
+        EXPECT_EQ(generated(name).block_count() == 0, empty) << name;
     }
     EXPECT_NE(checksum(generated("paper_world", {.seed = 1})),
               checksum(generated("paper_world", {.seed = 2})));

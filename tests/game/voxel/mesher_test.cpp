@@ -34,12 +34,12 @@ FaceMap brute_force_faces(const VoxelVolume& volume) {
         for (int z = low.z; z < high.z; ++z) {
             for (int x = low.x; x < high.x; ++x) {
                 const Block block = volume.get({x, y, z});
-                if (block == Block::air) continue;
+                if (!block_info(block).opaque) continue;
                 for (int axis = 0; axis < 3; ++axis) {
                     for (const int sign : {-1, 1}) {
                         ivec3 next(x, y, z);
                         next[axis] += sign;
-                        if (volume.get(next) != Block::air) continue;
+                        if (block_info(volume.get(next)).opaque) continue;
                         faces[{x, y, z, axis, sign}] = {1, material_index(block, face_kind(axis, sign))};
                     }
                 }
@@ -200,6 +200,26 @@ TEST(Mesher, AWorldIsCoveredExactlyOnce) {
     VoxelVolume volume;
     generate(volume, "paper_world", {.seed = 3});
     expect_exact_cover(volume);
+}
+
+TEST(Mesher, WaterHasAMeshOfItsOwnThatEndsAtTheGround) {
+    VoxelVolume volume;
+    volume.fill({0, 0, 0}, {4, 1, 4}, Block::stone);
+    volume.fill({0, 1, 0}, {4, 3, 4}, Block::water);
+    MeshStats stats;
+    mesh_chunk(volume, {0, 0, 0}, &stats);
+    EXPECT_EQ(stats.quads, 6u) << "the ground is seen through it";
+    const MeshData water = mesh_water(volume, {0, 0, 0});
+    EXPECT_EQ(water.indices.size() / 6, 5u) << "four sides and a top";
+    for (const Vertex& vertex : water.vertices) EXPECT_GE(unpack_normal(vertex.normal).y, -0.1f);
+    volume.fill({0, 1, 0}, {4, 3, 4}, Block::air);
+    EXPECT_TRUE(mesh_water(volume, {0, 0, 0}).indices.empty());
+}
+
+TEST(Mesher, WaterEndsNotWhereItGoesOnInTheNextChunk) {
+    VoxelVolume volume;
+    volume.fill({-32, 0, 0}, {32, 1, 32}, Block::water);
+    EXPECT_EQ(mesh_water(volume, {0, 0, 0}).indices.size() / 6 + mesh_water(volume, {-1, 0, 0}).indices.size() / 6, 10u);
 }
 
 TEST(Mesher, PicturesAreNotMirrored) {

@@ -172,5 +172,17 @@ TEST(Raycast, SenselessRaysHitNothing) {
     EXPECT_FALSE(raycast(VoxelVolume(), vec3(0.2f), vec3(1, 0, 0), infinity).has_value());
 }
 
+TEST(Raycast, PassesThroughWhatIsFree) {
+    VoxelVolume volume(1.0f);
+    volume.set({0, 2, 0}, Block::water);
+    volume.set({0, 0, 0}, Block::stone);
+    const vec3 above(0.5f, 5.0f, 0.5f), down(0, -1, 0);
+    EXPECT_EQ(raycast(volume, above, down, infinity)->cell, ivec3(0, 2, 0));
+    const auto hit = raycast(volume, above, down, infinity, Block::water);
+    ASSERT_TRUE(hit);
+    EXPECT_EQ(hit->cell, ivec3(0, 0, 0));
+    EXPECT_EQ(hit->normal, ivec3(0, 1, 0));
+}
+
 }  // namespace
 }  // namespace sl

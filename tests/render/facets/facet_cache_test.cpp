@@ -46,5 +46,29 @@ TEST(FacetCache, ForgetsWhatWasNotSeenForLong) {
     EXPECT_FLOAT_EQ(again.unit, walk(all, builder, 0.0f, much).unit);
 }
 
+TEST(FacetCache, ACameraThatStandsStillFindsWhatCameFarOff) {
+    SceneBuilder builder;
+    build_street(builder, 8);
+    builder.look(vec3(0, 6, 0), vec3(1, 0, 0), vec3(0, 1, 0), 1.0f);
+    FacetCache cache;
+    const auto frames = [&](int count) {
+        for (int i = 0; i < count; ++i) (void)cache.update(builder.scene(), frame_params(builder.scene(), 96, 54, 0), {.spacing = 2.0f, .noise = 1.0f}, {.seconds = 1.0});
+    };
+    // Its material is there from the start: another one would be another scene.
+    builder.add({Shape::Kind::box, vec3(8)}, glm::translate(mat4(1.0f), vec3(44, 4, -8)), vec3(0.5f));
+    std::vector<RenderScene::Draw>& draws = builder.scene().draws;
+    const RenderScene::Draw box = draws.back();
+    draws.pop_back();
+    frames(30);
+    draws.push_back(box);
+    frames(40);
+    const vec3 face(40, 4, -8);
+    const auto nearest = cache.outlines_near(face, 1);
+    ASSERT_EQ(nearest.size(), 1u);
+    vec3 middle(0.0f);
+    for (const vec3& corner : nearest.front().corners) middle += 0.25f * corner;
+    EXPECT_LT(glm::length(middle - face), 2.0f);
+}
+
 }  // namespace
 }  // namespace sl
