@@ -35,6 +35,7 @@ struct Bounds {
     float radius() const { return empty() ? 0.0f : 0.5f * glm::length(high - low); }
     /// Larger by as much on all sides; still empty when empty.
     Bounds grown(float margin) const { return empty() ? *this : Bounds{low - margin, high + margin}; }
+    Bounds moved(vec3 offset) const { return {low + offset, high + offset}; }
     bool contains(vec3 point) const { return glm::all(glm::greaterThanEqual(point, low)) && glm::all(glm::lessThanEqual(point, high)); }
     bool touches(const Bounds& other) const { return glm::all(glm::lessThanEqual(low, other.high)) && glm::all(glm::lessThanEqual(other.low, high)); }
     /// Whether the way from a point along `direction`, up to `farthest` of its lengths, passes through.

@@ -48,6 +48,10 @@ SHARED_FN float facet_level(float distance, float side_over_distance) {
 /// 2 to the power of a whole number from -126 to 127.
 SHARED_FN float power_of_two(float exponent) { return uintBitsToFloat(uint(int(exponent) + 127) << 23); }
 
+/// Level and side of the cell whose name has this upper half.
+SHARED_FN int facet_name_level(uint high) { return int((high >> 19) & 0x7fu) - 64; }
+SHARED_FN uint facet_name_side(uint high) { return (high >> 16) & 7u; }
+
 /// The facet of a point whose lattice coordinates are known, on a surface that faces to a side.
 SHARED_FN FacetCell facet_cell_along(vec3 along, uint side, float level) {
     vec3 at = along * power_of_two(-level);

@@ -52,6 +52,27 @@ TEST(SunMap, ASquareThatMovesByATileKeepsTheOthers) {
     EXPECT_EQ(differing(before, layers_of(scene)), 8u);
 }
 
+TEST(SunMap, AStepOfTheOriginChangesNothing) {
+    RenderScene scene = field_of_cubes();
+    scene.view->position = vec3(900.3f, 2.0f, -40.0f);
+    const SunSquare square_before = fit_sun_square(scene, scene.lights.front());
+    const auto before = layers_of(scene);
+    const vec3 step(1024, 0, -1024), place(890, 1, -35);
+    scene.origin += dvec3(step);
+    scene.view->position -= step;
+    scene.bounds = scene.bounds.moved(-step);
+    for (RenderScene::Draw& draw : scene.draws) draw.bounds = draw.bounds.moved(-step);
+    const auto after = layers_of(scene);
+    EXPECT_EQ(differing(before, after), 0u);
+    const SunSquare square = fit_sun_square(scene, scene.lights.front());
+    EXPECT_EQ(square.lowest_tile, square_before.lowest_tile);
+    // What was drawn is found where it is.
+    for (std::size_t i = 0; i < after.size(); ++i) {
+        const vec4 difference = after[i].clip_from_world * vec4(place - step, 1.0f) - before[i].clip_from_world * vec4(place, 1.0f);
+        EXPECT_LT(glm::length(difference), 1e-3f) << "a quarter of a texel";
+    }
+}
+
 TEST(SunMap, TheOrderOfDrawsIsNotSeen) {
     RenderScene scene = field_of_cubes();
     const auto before = layers_of(scene);

@@ -87,6 +87,11 @@ class FacetCache {
     /// `may_wait`: what hardly shows need not be followed at once.
     void follow_changes(const RenderScene& scene, const FrameParams& frame, const Facets& settings, bool may_wait);
     void start_anew(const RenderScene& scene);
+    /// All positions change by `offset`, m: the scene's origin is another one. Lights that only rounding tells from these are
+    /// these. False, and nothing is changed, where the lattice of facets would be another one.
+    bool move(vec3 offset, const std::vector<RenderScene::Light>& lights);
+    /// Exponent of the side of the largest cell that has facets, corners, groups or patches.
+    int coarsest_cell() const;
     void change_lights(const RenderScene& scene);
     /// Where surfaces are others than before.
     struct Change {
@@ -149,7 +154,8 @@ class FacetCache {
 
     std::unique_ptr<TransportWorld> world_;
     std::unique_ptr<Patches> patches_;
-    std::uint64_t materials_ = 0;  ///< hash of all materials and of where the origin is
+    dvec3 origin_{0.0};            ///< of the scene
+    std::uint64_t materials_ = 0;  ///< hash of all materials
     std::uint64_t surfaces_ = 0;   ///< hash of all draws
     std::unordered_map<std::uint64_t, Bounds> draws_;  ///< content and place of what is traced
     std::uint32_t waited_ = 0;  ///< frames, that changes of surfaces were not followed

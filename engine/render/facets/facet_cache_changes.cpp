@@ -22,6 +22,9 @@ constexpr std::size_t most_boxes = 64, most_urgent = 4096;
 constexpr float shows_little = 0.2f;
 constexpr std::uint32_t frames_to_wait = 8;
 
+/// m: what a move of the origin changes a position by beyond itself, and how far it goes before nothing worth keeping is left.
+constexpr float rounding = 1e-3f, farthest_move = 1e5f;
+
 /// What was not seen for so many looks may be forgotten, where it is that share of all facets.
 constexpr std::uint32_t looks_kept = 600;
 constexpr float worth_forgetting = 0.25f;
@@ -35,15 +38,13 @@ float surface(const std::vector<RenderScene::Draw>& draws) {
 
 bool hardly_shows(const Bounds& box, const FrameParams& frame) { return box.radius() < shows_little * glm::length(box.centre() - vec3(frame.camera_position)); }
 
-/// What all that was traced depends on.
-std::uint64_t materials_of(const RenderScene& scene) { return hash_bytes(hash_mix(1, scene.materials_hash), &scene.origin, sizeof(dvec3)); }
-
 }  // namespace
 
 void FacetCache::follow_changes(const RenderScene& scene, const FrameParams& frame, const Facets& settings, bool may_wait) {
-    const std::uint64_t materials = materials_of(scene), surfaces = scene.geometry_hash();
-    if (!world_ || materials != materials_) {
-        materials_ = materials;
+    const std::uint64_t surfaces = scene.geometry_hash();
+    const vec3 offset(std::exchange(origin_, scene.origin) - scene.origin);
+    const bool same_materials = std::exchange(materials_, scene.materials_hash) == scene.materials_hash;
+    if (!world_ || !same_materials || !move(offset, scene.lights)) {
         start_anew(scene);
     } else {
         if (surfaces != surfaces_) {
@@ -84,6 +85,52 @@ void FacetCache::follow_changes(const RenderScene& scene, const FrameParams& fra
         light_moves();
     }
     bounces_ = settings.bounces;
+}
+
+bool FacetCache::move(vec3 offset, const std::vector<RenderScene::Light>& lights) {
+    if (offset == vec3(0.0f)) return true;
+    const vec3 cells = offset * std::exp2(-static_cast<float>(coarsest_cell()));
+    if (cells != glm::round(cells) || glm::length(offset) > farthest_move) return false;
+    world_->move(offset);
+    patches_->move(offset);
+    for (auto& [content, bounds] : draws_) bounds = bounds.moved(offset);
+    for (std::size_t i = 0; i < lights_.size(); ++i) {
+        if (lights_[i].kind == RenderScene::Light::Kind::directional) continue;
+        lights_[i].position += offset;
+        if (i < lights.size() && glm::length(lights[i].position - lights_[i].position) < rounding) lights_[i].position = lights[i].position;
+    }
+    for (Corner& corner : corners_) {
+        corner.at.point.position += offset;
+        if (corner.shared_as != 0) corner.shared_as = facet_name_moved(corner.shared_as, offset);
+    }
+    for (Group& group : groups_) {
+        if (group.cell != 0) group.cell = facet_name_moved(group.cell, offset);
+        if (!group.guide) continue;
+        for (Guide::Target& target : group.guide->targets) target.place += offset;
+    }
+    for (auto& [name, facet] : facets_) {
+        facet.middle.position += offset;
+        facet.root = facet_name_moved(facet.root, offset);
+    }
+    for (FacetName& name : unsplit_) name = facet_name_moved(name, offset);
+    move_names(facets_, offset);
+    move_names(shared_corners_, offset);
+    move_names(group_of_cell_, offset);
+    // What it holds lies elsewhere now.
+    renewing_ = false;
+    table_is_old_ = shown_are_old_ = true;
+    return true;
+}
+
+int FacetCache::coarsest_cell() const {
+    int level = patches_->coarsest_cell();
+    const auto look_at = [&](const auto& entries) {
+        for (const auto& [name, value] : entries) level = std::max(level, facet_level_of(name));
+    };
+    look_at(facets_);
+    look_at(shared_corners_);
+    look_at(group_of_cell_);
+    return level;
 }
 
 void FacetCache::start_anew(const RenderScene& scene) {

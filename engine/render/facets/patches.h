@@ -59,6 +59,11 @@ class Patches {
     /// The world must outlive the patches.
     explicit Patches(const TransportWorld& world) : world_(world) { measure_world(); }
 
+    /// The world's positions have all changed by `offset`, m, a whole number of the sides of `coarsest_cell`.
+    void move(vec3 offset);
+    /// Exponent of the side of the largest cell that has patches; of none, 0.
+    int coarsest_cell() const;
+
     /// Surfaces of the world have changed within boxes alone: what lies there is forgotten. Lights are those of before.
     /// What points have seen there, or through it, stays until `mend`.
     void change(std::span<const Bounds> boxes);

@@ -25,6 +25,27 @@ bool may_throw_shadow(const LightParams& light, const Bounds& box) {
 
 }  // namespace
 
+void Patches::move(vec3 offset) {
+    measure_world();
+    move_names(first_, offset);
+    for (Bounds& box : changes_) box = box.moved(offset);
+    tbb::parallel_for(std::size_t{0}, patches_.size(), [&](std::size_t id) {
+        Patch& patch = patches_[id];
+        if (patch.gone) return;
+        patch.cell = facet_name_moved(patch.cell, offset);
+        patch.middle.point.position += offset;
+        patch.bright_place += offset;
+        for (Sample& sample : patch.samples) sample.position += offset;
+        places_[id] += vec4(offset, 0.0f);
+    });
+}
+
+int Patches::coarsest_cell() const {
+    int level = 0;
+    for (const auto& [name, id] : first_) level = std::max(level, facet_level_of(name));
+    return level;
+}
+
 void Patches::change(std::span<const Bounds> boxes) {
     measure_world();
     forget(boxes);

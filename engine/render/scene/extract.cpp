@@ -89,7 +89,9 @@ void extract_draws(World& world, RenderScene& scene) {
             draw.first_material = static_cast<std::uint32_t>(instance.first_material);
         }
         draw.bounds = transformed(mesh->bounds, draw.world_from_local);
-        draw.content = hash_bytes(hash_mix(own_material, draw.first_material), &draw.world_from_local, sizeof(mat4));
+        // Where it is in the world: the origin may step on.
+        draw.content = hash_bytes(hash_mix(own_material, draw.first_material), &transform.origin, sizeof(dvec3));
+        draw.content = hash_bytes(draw.content, &transform.linear, sizeof(mat3));
         draw.content = hash_mix(hash_mix(draw.content, instance.mesh.slot), instance.mesh.generation);
         draw.content_before = hash_mix(draw.content, mesh->version - 1);
         draw.content = hash_mix(draw.content, mesh->version);

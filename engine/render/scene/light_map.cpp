@@ -100,7 +100,7 @@ void add_sun_layers(const RenderScene& scene, const Suns& suns, LightTable& tabl
 
 std::uint64_t content_key(const RenderScene& scene, const Light& light, const LightMap& map, const std::vector<std::uint32_t>& draws) {
     std::uint64_t key = hash_mix(light_hash(light), scene.materials_hash);
-    key = hash_bytes(key, &map.clip_from_world, sizeof(mat4));
+    key = hash_bytes(hash_bytes(key, &scene.origin, sizeof scene.origin), &map.clip_from_world, sizeof(mat4));
     for (const std::uint32_t draw : draws) key = hash_mix(key, scene.draws[draw].content);
     return key;
 }

@@ -8,7 +8,7 @@ namespace sl {
 float RenderScene::View::exposure() const { return exposure_of(ev100); }
 
 std::uint64_t RenderScene::geometry_hash() const {
-    std::uint64_t hash = materials_hash;
+    std::uint64_t hash = hash_bytes(materials_hash, &origin, sizeof origin);
     for (const Draw& draw : draws) hash = hash_mix(hash, draw.content);
     return hash;
 }

@@ -34,7 +34,7 @@ struct RenderScene {
         mat4 world_from_local{1.0f};
         std::uint32_t first_material = 0;
         Bounds bounds;              ///< of the drawn mesh
-        std::uint64_t content = 0;  ///< hash of everything that can change how it looks in a light's map
+        std::uint64_t content = 0;  ///< hash of everything that can change how it looks in a light's map, but for the origin
         std::uint64_t content_before = 0;  ///< the same with the mesh's last version
         Bounds changed;             ///< where the two differ; empty: anywhere
         Entity entity{};            ///< that it was made from, if any
@@ -72,7 +72,7 @@ struct RenderScene {
     const MeshPool* meshes = nullptr;
     const TextureLayers* textures = nullptr;
 
-    /// Hash of all geometry and materials.
+    /// Hash of all geometry and materials, and of where the origin is.
     std::uint64_t geometry_hash() const;
 };
 

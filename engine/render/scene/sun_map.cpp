@@ -2,6 +2,7 @@
 #include "engine/render/scene/sun_map.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace sl {
@@ -10,33 +11,34 @@ namespace {
 
 /// Depth moves in steps of so much, m. A float of 0..1 still tells a millimetre apart.
 constexpr float depth_step = 1024.0f;
+/// So many tiles farther, one has the same number.
+constexpr double tile_numbers = 1 << 20;
 /// From the middle of the square, in half tiles: the camera is never nearer than three halves to what lies farther.
 constexpr int near_tiles = 3;
 
-/// Tiles of one square, and where each has its layer.
+/// Tiles of one square, counted from its lower corner, and where each has its layer.
 struct TileGrid {
     int count = 1;  ///< per side
     ivec2 lowest{0};
-    vec2 anchor{0.0f};  ///< corner of tile (0, 0)
+    vec2 corner{0.0f};  ///< of tile (0, 0)
     float side = 1.0f;
     float margin = 0.0f;  ///< of the neighbours round a tile
 
     /// A tile keeps its layer for as long as it is in the square.
     std::size_t layer(ivec2 tile) const {
-        const ivec2 place = ring_place(tile);
+        const ivec2 place = (lowest + tile) % count;
         return static_cast<std::size_t>(place.y * count + place.x);
     }
-    ivec2 ring_place(ivec2 tile) const { return (tile % count + count) % count; }
-    vec2 middle(ivec2 tile) const { return anchor + (vec2(tile) + 0.5f) * side; }
+    vec2 middle(ivec2 tile) const { return corner + (vec2(tile) + 0.5f) * side; }
+    /// Of a position outside, one that is outside.
     ivec2 tile_at(vec2 position) const {
         // Clamped as floats, because what lies far outside has no whole number.
-        return lowest + ivec2(glm::clamp(glm::floor((position - anchor) / side) - vec2(lowest), vec2(-1.0f), vec2(static_cast<float>(count))));
+        return ivec2(glm::clamp(glm::floor((position - corner) / side), vec2(-1.0f), vec2(static_cast<float>(count))));
     }
 };
 
 TileGrid grid_of(const SunSquare& square, int tiles, std::uint32_t tile_texels) {
-    TileGrid grid{.count = tiles, .lowest = square.lowest_tile, .anchor = vec2(0.0f), .side = 2.0f * square.half / static_cast<float>(tiles)};
-    if (!square.moves) grid.anchor = square.centre - square.half;
+    TileGrid grid{.count = tiles, .lowest = square.lowest_tile, .corner = square.centre - square.half, .side = 2.0f * square.half / static_cast<float>(tiles)};
     if (tiles > 1) grid.margin = grid.side / static_cast<float>(tile_texels);
     return grid;
 }
@@ -62,17 +64,25 @@ SunSquare fit_sun_square(const RenderScene& scene, const RenderScene::Light& lig
     if (whole <= light.shadow_distance) {
         square.centre = vec2(scene_in_light.centre());
         square.half = std::max(whole, 1e-6f);
+        const mat4 clip_from_world = square.clip_from_world(square.centre, square.half);
+        square.world = hash_bytes(hash_bytes(2, &scene.origin, sizeof scene.origin), &clip_from_world, sizeof clip_from_world);
         return square;
     }
     square.moves = true;
     square.half = light.shadow_distance;
-    square.nearest = std::floor(square.nearest / depth_step) * depth_step;
-    square.farthest = std::ceil(square.farthest / depth_step) * depth_step;
-    const vec2 eye = vec2(square.light_from_world * vec4(scene.view ? scene.view->position : vec3(0.0f), 1.0f));
-    const float step = 2.0f * square.half / static_cast<float>(SunSquare::most_tiles);
-    const vec2 steps = glm::round(eye / step);
-    square.centre = steps * step;
-    square.lowest_tile = ivec2(steps) - SunSquare::most_tiles / 2;
+    // Steps of tile and depth count from the world's zero, in double: they stay where they are when the origin moves.
+    const dvec3 origin = glm::dmat3(mat3(square.light_from_world)) * scene.origin;
+    const auto stepped = [&](double depth) { return static_cast<float>(depth * depth_step + origin.z); };
+    const double first_depth = std::floor((double{square.nearest} - origin.z) / depth_step), last_depth = std::ceil((double{square.farthest} - origin.z) / depth_step);
+    square.nearest = stepped(first_depth);
+    square.farthest = stepped(last_depth);
+    const double step = 2.0 * square.half / SunSquare::most_tiles;
+    const glm::dvec2 eye = glm::dvec2(origin) + glm::dvec2(square.light_from_world * vec4(scene.view ? scene.view->position : vec3(0.0f), 1.0f));
+    const glm::dvec2 tile = glm::round(eye / step);
+    square.centre = vec2(tile * step - glm::dvec2(origin));
+    square.lowest_tile = ivec2(glm::mod(tile - 0.5 * SunSquare::most_tiles, tile_numbers));
+    const std::array<double, 3> lengths{first_depth, last_depth, square.half};
+    square.world = hash_bytes(hash_bytes(1, &square.light_from_world, sizeof(mat4)), lengths.data(), sizeof lengths);
     return square;
 }
 
@@ -86,34 +96,35 @@ SunLayers sun_layers(const RenderScene& scene, const RenderScene::Light& light, 
     result.layers.resize(std::size_t{per_side} * per_side);
     for (int y = 0; y < tiles; ++y) {
         for (int x = 0; x < tiles; ++x) {
-            const ivec2 tile = grid.lowest + ivec2(x, y);
+            const ivec2 tile(x, y);
             ShadowLayer& layer = result.layers[grid.layer(tile)];
             layer.size = size;
             const vec2 middle = tiles > 1 ? grid.middle(tile) : square.centre;
             layer.clip_from_world = square.clip_from_world(middle, 0.5f * grid.side / whole_tile);
-            const ivec2 away = glm::abs(ivec2(x, y) * 2 + 1 - tiles);
+            const ivec2 away = glm::abs(tile * 2 + 1 - tiles), number = (grid.lowest + tile) % static_cast<int>(tile_numbers);
+            layer.key = hash_bytes(hash_mix(square.world, layer.size), &number, sizeof number) >> 32 << 32;
             layer.far = std::max(away.x, away.y) > near_tiles;
         }
     }
-    const ivec2 last = grid.lowest + tiles - 1;
+    std::vector<std::uint64_t> contents(result.layers.size());
     for (std::uint32_t i = 0; i < scene.draws.size(); ++i) {
         const Bounds box = transformed(scene.draws[i].bounds, square.light_from_world);
-        const ivec2 low = glm::max(grid.tile_at(vec2(box.low) - grid.margin), grid.lowest), high = glm::min(grid.tile_at(vec2(box.high) + grid.margin), last);
+        const ivec2 low = glm::max(grid.tile_at(vec2(box.low) - grid.margin), ivec2(0)), high = glm::min(grid.tile_at(vec2(box.high) + grid.margin), ivec2(tiles - 1));
         for (int y = low.y; y <= high.y; ++y) {
             for (int x = low.x; x <= high.x; ++x) {
-                ShadowLayer& layer = result.layers[grid.layer({x, y})];
-                layer.draws.push_back(i);
+                const std::size_t layer = grid.layer({x, y});
+                result.layers[layer].draws.push_back(i);
                 // A sum: in which order the draws stand is not seen.
-                layer.key += hash_mix(0x5ade, scene.draws[i].content);
+                contents[layer] += hash_mix(0x5ade, scene.draws[i].content);
             }
         }
     }
-    for (ShadowLayer& layer : result.layers) {
-        const std::uint64_t place = hash_bytes(layer.size, &layer.clip_from_world, sizeof(mat4));
-        layer.key = place >> 32 << 32 | (hash_mix(place, layer.key) & 0xffffffffu) | 1;
+    for (std::size_t i = 0; i < contents.size(); ++i) {
+        ShadowLayer& layer = result.layers[i];
+        layer.key |= (hash_mix(layer.key, contents[i]) & 0xffffffffu) | 1;
         if (layer.key == layer.empty_key() && !layer.draws.empty()) layer.key += 2;
     }
-    result.params = vec4(static_cast<float>(tiles), vec2(grid.ring_place(grid.lowest)), whole_tile);
+    result.params = vec4(static_cast<float>(tiles), vec2(grid.lowest % tiles), whole_tile);
     return result;
 }
 

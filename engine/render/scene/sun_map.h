@@ -20,7 +20,8 @@ struct ShadowLayer {
 };
 
 /// The square across a directional light that its maps show, in the light's own space. It is divided into tiles, whose
-/// place in the world stays where it is when the square moves: a tile that stays inside need not be drawn again.
+/// place in the world stays where it is when the square or the scene's origin moves: a tile that stays inside need not be
+/// drawn again.
 struct SunSquare {
     static constexpr int most_tiles = 8;  ///< per side
 
@@ -29,7 +30,8 @@ struct SunSquare {
     float half = 1.0f;
     float nearest = 0.0f, farthest = 1.0f;  ///< along the light, relative to the origin
     bool moves = false;                     ///< with the camera, because the scene is larger
-    ivec2 lowest_tile{0};                   ///< where it moves; tile (x, y) begins at its side times (x, y)
+    ivec2 lowest_tile{0};  ///< where it moves: the tile at its lower corner, counted from the world's zero, modulo 2^20
+    std::uint64_t world = 0;  ///< hash of what a tile depends on besides its number and size, wherever the origin is
 
     /// Projection of a square with the same depth.
     mat4 clip_from_world(vec2 middle, float half_side) const;

@@ -61,7 +61,7 @@ RTCRay to_embree(const Ray& ray) {
 struct TraceScene::Data {
     std::shared_ptr<RTCDeviceTy> device = start_embree();
     RTCScene scene = rtcNewScene(device.get());
-    std::vector<std::unique_ptr<const TracedMesh>> meshes;         ///< by their numbers in Embree's scene; null where one was
+    std::vector<std::unique_ptr<TracedMesh>> meshes;         ///< by their numbers in Embree's scene; null where one was
     std::unordered_multimap<std::uint64_t, std::uint32_t> number;  ///< by a draw's content
     std::vector<std::uint32_t> free;                               ///< numbers of none
     std::vector<MaterialParams> materials;
@@ -76,7 +76,7 @@ struct TraceScene::Data {
     }
     ~Data() { rtcReleaseScene(scene); }
 
-    std::uint32_t add(std::unique_ptr<const TracedMesh> mesh) {
+    std::uint32_t add(std::unique_ptr<TracedMesh> mesh) {
         if (free.empty()) {
             free.push_back(static_cast<std::uint32_t>(meshes.size()));
             meshes.emplace_back();
@@ -111,11 +111,18 @@ void TraceScene::update(const RenderScene& scene) {
         }
     }
     for (const auto& [content, id] : before) data_->remove(id);
-    std::vector<std::unique_ptr<const TracedMesh>> meshes(fresh.size());
+    std::vector<std::unique_ptr<TracedMesh>> meshes(fresh.size());
     tbb::parallel_for(std::size_t{0}, fresh.size(), [&](std::size_t i) {
         meshes[i] = std::make_unique<TracedMesh>(data_->device, scene.meshes->at(fresh[i]->mesh), *fresh[i]);
     });
     for (std::size_t i = 0; i < fresh.size(); ++i) data_->number.emplace(fresh[i]->content, data_->add(std::move(meshes[i])));
+    rtcCommitScene(data_->scene);
+}
+
+void TraceScene::move(vec3 offset) {
+    tbb::parallel_for(std::size_t{0}, data_->meshes.size(), [&](std::size_t i) {
+        if (data_->meshes[i]) data_->meshes[i]->move(offset);
+    });
     rtcCommitScene(data_->scene);
 }
 

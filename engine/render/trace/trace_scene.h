@@ -55,6 +55,9 @@ class TraceScene {
     /// queries run.
     void update(const RenderScene& scene);
 
+    /// Changes all positions by `offset`, m. Not while queries run.
+    void move(vec3 offset);
+
     /// The nearest hit, whichever side it faces.
     std::optional<TriangleHit> intersect(const Ray& ray) const;
     /// The nearest hit on a front: surfaces are invisible from behind, as rasterization culls them. Its distance counts

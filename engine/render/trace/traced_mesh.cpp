@@ -48,6 +48,14 @@ TracedMesh::TracedMesh(std::shared_ptr<RTCDeviceTy> device, const MeshData& mesh
     give_to_embree();
 }
 
+void TracedMesh::move(vec3 offset) {
+    for (vec3& position : positions_) position += offset;
+    bounds_ = bounds_.moved(offset);
+    std::memcpy(rtcGetGeometryBufferData(geometry_.get(), RTC_BUFFER_TYPE_VERTEX, 0), positions_.data(), positions_.size() * sizeof(vec3));
+    rtcUpdateGeometryBuffer(geometry_.get(), RTC_BUFFER_TYPE_VERTEX, 0);
+    rtcCommitGeometry(geometry_.get());
+}
+
 void TracedMesh::give_to_embree() {
     geometry_.reset(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
     void* positions = rtcSetNewGeometryBuffer(geometry_.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(vec3), positions_.size());

@@ -33,6 +33,8 @@ class TracedMesh {
     const Bounds& bounds() const { return bounds_; }
     /// Rows of the material table that it has, each once.
     const std::vector<std::uint32_t>& materials() const { return materials_; }
+    /// Changes all positions by `offset`, m.
+    void move(vec3 offset);
     RTCGeometry geometry() const { return geometry_.get(); }
 
   private:

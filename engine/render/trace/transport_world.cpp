@@ -15,6 +15,15 @@ void TransportWorld::resurface(const RenderScene& render_scene) {
     emitters = Emitters(scene);
 }
 
+void TransportWorld::move(vec3 offset) {
+    scene.move(offset);
+    emitters = Emitters(scene);
+    for (LightParams& light : lights) {
+        light.map_clip_from_world[3] = light.map_clip_from_world * vec4(-offset, 1.0f);
+        if (light.kind.x != light_directional) light.position += vec4(offset, 0.0f);
+    }
+}
+
 void TransportWorld::relight(const RenderScene& render_scene) {
     lights = build_light_table(render_scene).params;
     sky = render_scene.sky_radiance;

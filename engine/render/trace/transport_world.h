@@ -45,6 +45,9 @@ struct TransportWorld {
     /// Takes surfaces and what glows from the scene anew, at the cost of what differs; lights and sky stay as they are.
     void resurface(const RenderScene& scene);
 
+    /// Changes all positions by `offset`, m: the scene's origin is another one.
+    void move(vec3 offset);
+
     /// Takes lights and sky from the scene anew; its surfaces must be the same.
     void relight(const RenderScene& scene);
 };

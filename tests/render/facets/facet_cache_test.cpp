@@ -24,6 +24,81 @@ FacetTable walk(FacetCache& cache, SceneBuilder& builder, float x, std::size_t m
     return cache.table();
 }
 
+/// The same scene with its origin elsewhere.
+RenderScene with_origin_at(const RenderScene& scene, const dvec3& origin) {
+    const vec3 offset(scene.origin - origin);
+    RenderScene moved = scene;
+    moved.origin = origin;
+    moved.view->position += offset;
+    moved.bounds = scene.bounds.moved(offset);
+    for (RenderScene::Draw& draw : moved.draws) {
+        draw.world_from_local[3] += vec4(offset, 0.0f);
+        draw.bounds = draw.bounds.moved(offset);
+    }
+    for (RenderScene::Light& light : moved.lights) {
+        if (light.kind != RenderScene::Light::Kind::directional) light.position += offset;
+    }
+    return moved;
+}
+
+TEST(FacetCache, KeepsItsLightWhenTheOriginStepsOn) {
+    SceneBuilder builder;
+    build_street(builder, 8);
+    builder.add({.kind = RenderScene::Light::Kind::point, .position = vec3(13.3f, 2.1f, 1.7f), .intensity = vec3(3e4f)});
+    builder.look(vec3(4, 1.7f, -2), glm::normalize(vec3(0.6f, -0.3f, 1)), vec3(0, 1, 0), 1.2f);
+    const Facets settings{.spacing = 6.0f, .noise = 0.5f};
+    FacetCache cache;
+    (void)cache.update(builder.scene(), frame_params(builder.scene(), 96, 54, 0), settings, {});
+    constexpr std::size_t all = std::numeric_limits<std::uint32_t>::max();
+    const auto before = cache.outlines_near(vec3(0.0f), all);
+    ASSERT_GT(before.size(), 50u);
+    for (const dvec3& origin : {dvec3(1024, 0, 0), dvec3(2048, -1024, 1024), dvec3(0.0)}) {
+        const RenderScene moved = with_origin_at(builder.scene(), origin);
+        const FrameParams frame = frame_params(moved, 96, 54, 0);
+        const std::uint64_t version = cache.version();
+        EXPECT_EQ(cache.update(moved, frame, settings, {.seconds = 1e-9}), 1.0f) << "nothing is to be gathered";
+        EXPECT_GT(cache.version(), version);
+        const std::size_t slots = cache.table().slots;
+        (void)cache.update(moved, frame, settings, {});
+        EXPECT_EQ(cache.table().slots, slots) << "all that is seen was there";
+        const auto after = cache.outlines_near(vec3(0.0f), all);
+        ASSERT_EQ(after.size(), before.size());
+        for (const FacetOutline& facet : before) {
+            EXPECT_TRUE(std::ranges::any_of(after, [&](const FacetOutline& same) {
+                return glm::length(same.irradiance - facet.irradiance) < 1e-3f * glm::length(facet.irradiance) && glm::length(same.corners[0] + vec3(origin) - facet.corners[0]) < 1e-3f &&
+                       glm::length(same.corners[2] + vec3(origin) - facet.corners[2]) < 1e-3f;
+            }));
+        }
+    }
+}
+
+TEST(FacetCache, AfterAStepOfTheOriginAnEditIsFollowedAsBefore) {
+    SceneBuilder stays, steps;
+    FacetCache cache, stepped;
+    const Facets settings{.spacing = 6.0f, .noise = 0.2f};
+    for (SceneBuilder* builder : {&stays, &steps}) {
+        build_street(*builder, 4);
+        builder->look(vec3(4, 1.7f, -2), glm::normalize(vec3(0.6f, -0.3f, 1)), vec3(0, 1, 0), 1.2f);
+    }
+    const dvec3 origin(0, 0, -1024);
+    const auto update = [&](FacetCache& of, const RenderScene& scene) { (void)of.update(scene, frame_params(scene, 96, 54, 0), settings, {}); };
+    update(cache, stays.scene());
+    update(stepped, steps.scene());
+    update(stepped, with_origin_at(steps.scene(), origin));
+    stays.scene().draws.erase(stays.scene().draws.begin() + 2);
+    steps.scene().draws.erase(steps.scene().draws.begin() + 2);
+    update(cache, stays.scene());
+    update(stepped, with_origin_at(steps.scene(), origin));
+    double difference = 0.0, sum = 0.0;
+    for (const vec3 place : {vec3(6, 0, 1), vec3(10, 0, 4), vec3(14, 0, 2), vec3(20, 2, 3)}) {
+        const auto a = cache.outlines_near(place, 1), b = stepped.outlines_near(place - vec3(origin), 1);
+        ASSERT_EQ(a.size() + b.size(), 2u);
+        difference += glm::length(a.front().irradiance - b.front().irradiance);
+        sum += glm::length(a.front().irradiance);
+    }
+    EXPECT_LT(difference, 0.1 * sum);
+}
+
 TEST(FacetCache, ForgetsWhatWasNotSeenForLong) {
     constexpr std::size_t little = std::size_t{1} << 18, much = std::size_t{1} << 30;
     SceneBuilder builder;
