@@ -11,6 +11,7 @@
 #include "engine/render/facets/facet_table.h"
 #include "engine/render/facets/patches.h"
 #include "engine/render/scene/frame_params.h"
+#include "engine/render/scene/surface_changes.h"
 
 namespace sl {
 
@@ -93,12 +94,6 @@ class FacetCache {
     /// Exponent of the side of the largest cell that has facets, corners, groups or patches.
     int coarsest_cell() const;
     void change_lights(const RenderScene& scene);
-    /// Where surfaces are others than before.
-    struct Change {
-        Bounds box;
-        bool edited;  ///< a part of a mesh that is otherwise as it was, which somebody looks at
-    };
-    std::vector<Change> changed_surfaces(const RenderScene& scene) const;
     /// Returns where there are no facets now.
     std::vector<Bounds> change_surfaces(const RenderScene& scene, const std::vector<Bounds>& boxes);
     /// Returns where there are none now.
@@ -157,7 +152,7 @@ class FacetCache {
     dvec3 origin_{0.0};            ///< of the scene
     std::uint64_t materials_ = 0;  ///< hash of all materials
     std::uint64_t surfaces_ = 0;   ///< hash of all draws
-    std::unordered_map<std::uint64_t, Bounds> draws_;  ///< content and place of what is traced
+    SurfaceChanges changes_;       ///< since those that are traced
     std::uint32_t waited_ = 0;  ///< frames, that changes of surfaces were not followed
     std::vector<RenderScene::Light> lights_;
     bool renewing_ = false;  ///< the table still holds light from before a change

@@ -17,9 +17,7 @@ namespace {
 constexpr float most_changed = 0.5f;
 /// Changes elsewhere in one frame that are followed as such, and corners that follow in order of what they see of them.
 constexpr std::size_t most_boxes = 64, most_urgent = 4096;
-/// Radius over distance of a change that hardly shows, and how many frames such changes wait for others: following many
-/// costs little more than following one.
-constexpr float shows_little = 0.2f;
+/// How many frames changes that hardly show wait for others: following many costs little more than following one.
 constexpr std::uint32_t frames_to_wait = 8;
 
 /// m: what a move of the origin changes a position by beyond itself, and how far it goes before nothing worth keeping is left.
@@ -36,8 +34,6 @@ float surface(const std::vector<RenderScene::Draw>& draws) {
     return std::transform_reduce(draws.begin(), draws.end(), 0.0f, std::plus(), [](const RenderScene::Draw& draw) { return half_surface(draw.bounds); });
 }
 
-bool hardly_shows(const Bounds& box, const FrameParams& frame) { return box.radius() < shows_little * glm::length(box.centre() - vec3(frame.camera_position)); }
-
 }  // namespace
 
 void FacetCache::follow_changes(const RenderScene& scene, const FrameParams& frame, const Facets& settings, bool may_wait) {
@@ -49,9 +45,9 @@ void FacetCache::follow_changes(const RenderScene& scene, const FrameParams& fra
     } else {
         if (surfaces != surfaces_) {
             std::vector<Bounds> boxes, showing;
-            for (const Change& change : changed_surfaces(scene)) {
+            for (const SurfaceChanges::Change& change : changes_.since_last_look(scene)) {
                 boxes.push_back(change.box);
-                if (!may_wait || change.edited || !hardly_shows(change.box, frame)) showing.push_back(change.box);
+                if (!may_wait || change.edited || !hardly_shows(change.box, vec3(frame.camera_position))) showing.push_back(change.box);
             }
             waited_ = showing.empty() && waited_ < frames_to_wait ? waited_ + 1 : 0;
             if (waited_ == 0 && surface(boxes) > most_changed * surface(scene.draws)) {
@@ -68,10 +64,7 @@ void FacetCache::follow_changes(const RenderScene& scene, const FrameParams& fra
         }
         if (lights_ != scene.lights || world_->sky != scene.sky_radiance) change_lights(scene);
     }
-    if ((waited_ == 0 && std::exchange(surfaces_, surfaces) != surfaces) || draws_.empty()) {
-        draws_.clear();
-        for (const RenderScene::Draw& draw : scene.draws) draws_[draw.content] = draw.bounds;
-    }
+    if ((waited_ == 0 && std::exchange(surfaces_, surfaces) != surfaces) || changes_.empty()) changes_.look_at(scene);
     lights_ = scene.lights;
     if (settings.noise < noise_) {
         for (std::uint32_t i = 0; i < corners_.size(); ++i) {
@@ -93,7 +86,7 @@ bool FacetCache::move(vec3 offset, const std::vector<RenderScene::Light>& lights
     if (cells != glm::round(cells) || glm::length(offset) > farthest_move) return false;
     world_->move(offset);
     patches_->move(offset);
-    for (auto& [content, bounds] : draws_) bounds = bounds.moved(offset);
+    changes_.move(offset);
     for (std::size_t i = 0; i < lights_.size(); ++i) {
         if (lights_[i].kind == RenderScene::Light::Kind::directional) continue;
         lights_[i].position += offset;
@@ -161,20 +154,6 @@ void FacetCache::start_anew(const RenderScene& scene) {
     waited_ = 0;
     splits_are_old_ = false;
     table_is_old_ = shown_are_old_ = true;
-}
-
-std::vector<FacetCache::Change> FacetCache::changed_surfaces(const RenderScene& scene) const {
-    std::vector<Change> changes;
-    std::unordered_map<std::uint64_t, Bounds> left = draws_;
-    for (const RenderScene::Draw& draw : scene.draws) {
-        if (left.erase(draw.content) > 0) continue;
-        // Of a mesh that was edited once, only the edited part is another one.
-        const bool edited = !draw.changed.empty() && left.erase(draw.content_before) > 0;
-        changes.push_back({edited ? draw.changed : draw.bounds, edited});
-    }
-    for (const auto& [content, bounds] : left) changes.push_back({bounds, false});
-    std::erase_if(changes, [](const Change& change) { return change.box.empty(); });
-    return changes;
 }
 
 std::vector<Bounds> FacetCache::change_surfaces(const RenderScene& scene, const std::vector<Bounds>& boxes) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/render/trace/light_meter.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -14,6 +15,22 @@ constexpr std::uint32_t forgotten_after = 60;
 /// What is left of a reading, in batches, while something changes in each frame, so that a moving light gives steady
 /// readings; of light that is long out, a hundredth after 16 frames. A change after rest leaves nothing.
 constexpr std::uint32_t kept_in_motion = 3;
+/// The same of changes that matter little: land that comes far off, or the sun's next step of a day. Readings follow those
+/// within two seconds.
+constexpr std::uint32_t kept_of_little = 32;
+/// Change of a light's direction, and of its strength over itself, that matters little.
+constexpr float small_turn = 0.02f, small_share = 0.05f;
+
+bool alike(vec3 a, vec3 b) { return glm::length(a - b) <= small_share * glm::length(a); }
+
+/// Of lights that are the same but for little.
+bool alike(const RenderScene::Light& before, const RenderScene::Light& now) {
+    if (glm::length(before.direction - now.direction) > small_turn || !alike(before.intensity, now.intensity)) return false;
+    RenderScene::Light same = now;
+    same.direction = before.direction;
+    same.intensity = before.intensity;
+    return same == before;
+}
 
 }  // namespace
 
@@ -37,32 +54,49 @@ void LightMeter::update(const RenderScene& scene) {
     for (auto& [point, measured] : points_) ++measured.unasked;
     std::erase_if(points_, [](const auto& entry) { return entry.second.unasked > forgotten_after; });
     if (points_.empty()) return world_.reset();
-    const bool changed = take(scene);
-    if (changed) {
-        for (auto& [point, measured] : points_) measured.batches = std::min(measured.batches, moved_ ? kept_in_motion : 0);
+    const Effect of_light = take(scene);
+    for (auto& [point, measured] : points_) {
+        const Effect effect = std::max(of_light, of_surfaces(point));
+        if (effect == Effect::little) measured.batches = std::min(measured.batches, kept_of_little);
+        if (effect == Effect::much) measured.batches = std::min(measured.batches, measured.moved ? kept_in_motion : 0);
+        measured.moved = effect == Effect::much;
     }
-    moved_ = changed;
     for (auto& entry : points_) {
         jobs_.run([this, &entry] { follow_paths(entry.first, entry.second); });
     }
 }
 
-/// True where something is another than it was.
-bool LightMeter::take(const RenderScene& scene) {
+LightMeter::Effect LightMeter::take(const RenderScene& scene) {
     const std::uint64_t geometry = scene.geometry_hash();
-    const bool anew = world_ == nullptr || origin_ != scene.origin, other_surfaces = anew || geometry != geometry_;
-    const bool other_light = other_surfaces || lights_ != scene.lights || sky_ != scene.sky_radiance;
+    const vec3 offset(std::exchange(origin_, scene.origin) - scene.origin);
+    const bool other_materials = std::exchange(materials_, scene.materials_hash) != scene.materials_hash;
+    const bool anew = world_ == nullptr || other_materials;
+    changed_.clear();
     if (anew) {
         world_ = std::make_unique<TransportWorld>(scene, TransportSettings{});
     } else {
-        if (other_surfaces) world_->resurface(scene);
-        if (other_light) world_->relight(scene);
+        if (offset != vec3(0.0f)) {
+            world_->move(offset);
+            surfaces_.move(offset);
+        }
+        if (geometry != geometry_) {
+            for (const auto& change : surfaces_.since_last_look(scene)) changed_.push_back(change.box);
+            world_->resurface(scene);
+        }
     }
-    origin_ = scene.origin;
-    geometry_ = geometry;
+    if (std::exchange(geometry_, geometry) != geometry || anew) surfaces_.look_at(scene);
+    const bool same = !anew && lights_ == scene.lights && sky_ == scene.sky_radiance;
+    const bool similar = !anew && std::ranges::equal(lights_, scene.lights, [](const auto& a, const auto& b) { return alike(a, b); }) && alike(sky_, scene.sky_radiance);
+    if (!same || offset != vec3(0.0f)) world_->relight(scene);
     lights_ = scene.lights;
     sky_ = scene.sky_radiance;
-    return other_light;
+    return same ? Effect::none : similar ? Effect::little : Effect::much;
+}
+
+LightMeter::Effect LightMeter::of_surfaces(const Point& point) const {
+    if (changed_.empty()) return Effect::none;
+    const vec3 place(point.position - origin_);
+    return std::ranges::all_of(changed_, [&](const Bounds& box) { return hardly_shows(box, place); }) ? Effect::little : Effect::much;
 }
 
 void LightMeter::follow_paths(const Point& point, Measured& measured) const {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <unordered_map>
 
+#include "engine/render/scene/surface_changes.h"
 #include "engine/render/trace/path_walk.h"
 
 namespace sl {
@@ -60,20 +61,26 @@ class LightMeter {
         std::uint32_t batches = 0;  ///< that the reading is the mean of, as far as they still count
         std::uint32_t paths = 0;    ///< followed so far
         std::uint32_t unasked = 0;  ///< frames
+        bool moved = false;         ///< something that matters was another in the last frame than before
         Batch batch;                ///< what jobs are about
     };
 
     void take_over_batches();
-    bool take(const RenderScene& scene);
+    /// What a change of the scene means for readings.
+    enum class Effect { none, little, much };
+    /// Returns that of the change of lights and sky; surfaces that have changed are left in `changed_`.
+    Effect take(const RenderScene& scene);
+    Effect of_surfaces(const Point& point) const;
     void follow_paths(const Point& point, Measured& measured) const;
 
     std::unordered_map<Point, Measured, Hash> points_;
     std::unique_ptr<TransportWorld> world_;
     dvec3 origin_{0.0};
-    std::uint64_t geometry_ = 0;
+    std::uint64_t geometry_ = 0, materials_ = 0;
+    SurfaceChanges surfaces_;
+    std::vector<Bounds> changed_;  ///< in this update
     std::vector<RenderScene::Light> lights_;
     vec3 sky_{0.0f};
-    bool moved_ = false;  ///< something was another in the last frame than before
     tbb::task_group jobs_;
 };
 

@@ -63,6 +63,32 @@ TEST_F(LightMeterUnderASquare, FollowsSurfaces) {
     EXPECT_NEAR(after(100).bounced.y, truth, 0.05f * truth);
 }
 
+TEST_F(LightMeterUnderASquare, WhatChangesFarOffCostsLittle) {
+    builder.add({Shape::Kind::box, vec3(4)}, glm::translate(mat4(1.0f), vec3(90, 2, 0)), vec3(0.5f));
+    const std::uint32_t before = after(25).paths;
+    for (int frame = 0; frame < 10; ++frame) {
+        builder.move(1, glm::translate(mat4(1.0f), vec3(90, 2, 5 * frame)));
+        builder.scene().lights[0].direction = glm::normalize(vec3(0.001f * static_cast<float>(frame), 1, 0));
+        after(1);
+    }
+    EXPECT_GE(after(1).paths, before);
+    EXPECT_LT(after(1).paths, 2 * before) << "but what was far back counts no more";
+    builder.move(1, glm::translate(mat4(1.0f), vec3(4, 2, 0)));
+    EXPECT_LT(after(3).paths, before / 4) << "close by it is another matter";
+}
+
+TEST_F(LightMeterUnderASquare, GoesOnWhenTheOriginStepsOn) {
+    const auto here = after(25);
+    builder.scene().origin = dvec3(1024, 0, -1024);
+    for (RenderScene::Draw& draw : builder.scene().draws) {
+        draw.world_from_local[3] -= vec4(vec3(builder.scene().origin), 0.0f);
+        draw.bounds = draw.bounds.moved(-vec3(builder.scene().origin));
+    }
+    const auto there = after(25);
+    EXPECT_GT(there.paths, here.paths);
+    EXPECT_NEAR(there.bounced.y, truth, 0.05f * truth);
+}
+
 TEST_F(LightMeterUnderASquare, IsSteadyWhileALightMovesAllTheTime) {
     after(30);
     float worst = 0.0f;
