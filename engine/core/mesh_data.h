@@ -20,8 +20,17 @@ static_assert(sizeof(Vertex) == 32);
 
 /// Triangles as plain arrays; counter-clockwise is the front.
 struct MeshData {
+    /// A run of indices whose triangles all face the same way along an axis. From below the lowest none is seen.
+    struct Facing {
+        int axis;
+        float sign;  ///< 1: up the axis, -1: down
+        std::uint32_t first, count;
+        float lowest;  ///< sign times the position along the axis, m
+    };
+
     std::vector<Vertex> vertices;
     std::vector<std::uint32_t> indices;
+    std::vector<Facing> facings;  ///< all indices, in order; or empty, and triangles face anywhere
     Bounds bounds;
     std::uint32_t version = 0;  ///< whoever changes the arrays counts this up, so that caches notice
     Bounds changed;             ///< where its surface differs from the last version's; empty: anywhere

@@ -201,7 +201,8 @@ void Executor::issue(const PassRecord& pass, const gl::Program& program) {
                 glVertexArrayElementBuffer(vertex_array_, call.index_buffer);
                 glFrontFace(call.mirrored ? GL_CW : GL_CCW);
                 if (draw_index != program.uniforms().end()) glUniform1ui(draw_index->second, call.draw_index);
-                glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(call.index_count), GL_UNSIGNED_INT, nullptr);
+                const std::uintptr_t first = call.first_index * sizeof(std::uint32_t);
+                glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(call.index_count), GL_UNSIGNED_INT, reinterpret_cast<const void*>(first));
             }
             break;
         }

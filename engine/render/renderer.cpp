@@ -54,9 +54,8 @@ Renderer::Result Renderer::render(const RenderScene& given, const Request& reque
     result.drawn = true;
     if (result.images.next_suns_are_drawn) suns_.next_is_drawn();
 
-    for (const std::uint32_t draw : visible_draws(scene, frame.params.clip_from_world)) {
-        result.triangles_drawn += inputs.calls[draw].index_count / 3;
-    }
+    const DrawList drawn = inputs.list_facing(visible_draws(scene, frame.params.clip_from_world), vec4(vec3(frame.params.camera_position), 1.0f));
+    for (const DrawCall& call : *drawn) result.triangles_drawn += call.index_count / 3;
     result.triangles_culled = inputs.triangles - result.triangles_drawn;
     return result;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/render/upload.h"
 
+#include "engine/render/scene/facing_runs.h"
 #include "engine/render/scene/rows.h"
 
 namespace sl {
@@ -17,6 +18,18 @@ DrawList chosen(const std::vector<DrawCall>& calls, const std::vector<std::uint3
 }  // namespace
 
 DrawList SceneInputs::list(const std::vector<std::uint32_t>& draws_) const { return chosen(calls, draws_); }
+DrawList SceneInputs::list_facing(const std::vector<std::uint32_t>& draws_, vec4 eye) const {
+    auto list = std::make_shared<std::vector<DrawCall>>();
+    for (const std::uint32_t number : draws_) {
+        const RenderScene::Draw& draw = scene->draws[number];
+        for (const IndexRun& run : facing_runs(scene->meshes->at(draw.mesh), draw.world_from_local, eye)) {
+            DrawCall& call = list->emplace_back(calls[number]);
+            call.first_index = run.first;
+            call.index_count = run.count;
+        }
+    }
+    return list;
+}
 DrawList SceneInputs::water_list(const std::vector<std::uint32_t>& waters) const { return chosen(water_calls, waters); }
 
 const GpuScene::GpuMesh& GpuScene::refresh(const RenderScene& scene, MeshHandle handle) {
@@ -60,6 +73,7 @@ void GpuScene::refresh_textures(const RenderScene& scene) {
 SceneInputs GpuScene::upload(FrameGraph& graph, const RenderScene& scene, const LightTable& lights) {
     ++frame_;
     SceneInputs inputs;
+    inputs.scene = &scene;
     std::vector<DrawParams> draws;
     draws.reserve(scene.draws.size() + scene.waters.size());
     const auto add = [&](const RenderScene::Draw& draw, std::vector<DrawCall>& calls) {

@@ -17,9 +17,12 @@ struct SceneInputs {
     std::vector<DrawCall> calls;  ///< one per RenderScene::Draw
     std::vector<DrawCall> water_calls;  ///< one per surface of water
     std::uint64_t triangles = 0;
+    const RenderScene* scene = nullptr;
 
     /// The calls of some draws, for one pass.
     DrawList list(const std::vector<std::uint32_t>& draws) const;
+    /// The same without what is known to face away from `eye`: a place (w = 1), or a direction (w = 0).
+    DrawList list_facing(const std::vector<std::uint32_t>& draws, vec4 eye) const;
     DrawList water_list(const std::vector<std::uint32_t>& waters) const;
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <limits>
 
 namespace sl {
 namespace {
@@ -173,6 +174,8 @@ std::size_t append_faces(MeshData& mesh, const VoxelVolume& volume, ivec3 chunk_
     gather(volume, chunk_key, chunk, rule, occupancy);
     std::size_t faces = 0;
     for (const Direction& direction : directions) {
+        const auto first = static_cast<std::uint32_t>(mesh.indices.size());
+        float lowest = std::numeric_limits<float>::infinity();
         std::array<Slice, n> slices{};
         const auto axis = static_cast<std::size_t>(direction.axis);
         for (std::size_t line = 0; line < occupancy.shown.lines[axis].size(); ++line) {
@@ -189,8 +192,11 @@ std::size_t append_faces(MeshData& mesh, const VoxelVolume& volume, ivec3 chunk_
             merge(slices[static_cast<std::size_t>(slice)], chunk, direction, slice,
                   [&](Rectangle area, Block kind) {
                       append_quad(mesh, direction, slice, area, kind, volume.block_size());
+                      lowest = std::min(lowest, static_cast<float>(direction.sign) * mesh.vertices.back().position[direction.axis]);
                   });
         }
+        const auto count = static_cast<std::uint32_t>(mesh.indices.size()) - first;
+        if (count > 0) mesh.facings.push_back({.axis = direction.axis, .sign = static_cast<float>(direction.sign), .first = first, .count = count, .lowest = lowest});
     }
     return faces;
 }

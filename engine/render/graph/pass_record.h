@@ -18,7 +18,7 @@ enum class PassKind { fullscreen, compute, draws };
 struct DrawCall {
     std::uint32_t vertex_buffer = 0;
     std::uint32_t index_buffer = 0;
-    std::uint32_t index_count = 0;
+    std::uint32_t first_index = 0, index_count = 0;
     std::uint32_t draw_index = 0;
     bool mirrored = false;  ///< its matrix turns counter-clockwise triangles clockwise
 };

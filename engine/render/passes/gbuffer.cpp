@@ -30,7 +30,7 @@ GBuffer gbuffer(const FrameInput& frame) {
         .storage("Draws", frame.inputs.draws)
         .storage("Materials", frame.inputs.materials)
         .read("block_textures", frame.inputs.textures, Sampling::pixel_art)
-        .draws(frame.inputs.list(seen_draws(frame)));
+        .draws(frame.inputs.list_facing(seen_draws(frame), vec4(vec3(frame.params.camera_position), 1.0f)));
     GBuffer result;
     result.albedo = pass.create("albedo", frame.screen(Format::srgb8_alpha8), Load::clear);
     result.normal = pass.create("normal", frame.screen(Format::rg16), Load::clear, {0.5f, 0.5f, 0, 0});

@@ -12,6 +12,11 @@ namespace {
 constexpr std::uint32_t most_layers = 2048;  ///< of an array texture, in every OpenGL 4.5
 constexpr std::uint64_t most_texels = std::uint64_t{1} << 26;  ///< 2 GiB of two images
 
+/// Where a light shines from, in homogeneous coordinates.
+vec4 eye_of(const RenderScene::Light& light) {
+    return light.kind == RenderScene::Light::Kind::directional ? vec4(-light.direction, 0.0f) : vec4(light.position, 1.0f);
+}
+
 }  // namespace
 
 Rsm rsm(const FrameInput& frame, std::uint32_t size) {
@@ -42,7 +47,7 @@ Rsm rsm(const FrameInput& frame, std::uint32_t size) {
             .storage("Materials", frame.inputs.materials)
             .storage("Lights", frame.inputs.lights)
             .read("block_textures", frame.inputs.textures, Sampling::pixel_art)
-            .draws(frame.inputs.list(visible_draws(frame.scene, map.clip_from_world)));
+            .draws(frame.inputs.list_facing(visible_draws(frame.scene, map.clip_from_world), eye_of(frame.scene.lights[light])));
         result.position = pass.write("rsm_position", result.position, Load::clear, layer);
         result.flux = pass.write("rsm_flux", result.flux, Load::clear, layer);
         depth = pass.depth(depth, Load::clear);

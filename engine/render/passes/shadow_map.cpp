@@ -64,13 +64,17 @@ ImageId shadow_array(const FrameInput& frame, const char* name, const std::vecto
     return frame.graph.persistent(name, {.width = size, .height = size, .layers = count, .format = Format::depth32f});
 }
 
+DrawList draws_of(const FrameInput& frame, const ShadowLayer& map) {
+    return map.from == vec3(0.0f) ? frame.inputs.list(map.draws) : frame.inputs.list_facing(map.draws, vec4(map.from, 0.0f));
+}
+
 /// Draws a layer anew, or empties it; returns the array with it.
 ImageId draw_layer(const FrameInput& frame, const char* name, ImageId array, std::uint32_t layer, const ShadowLayer& map, bool whole) {
     if (!frame.graph.needs_redraw(array, layer, whole ? map.key : map.empty_key())) return array;
     auto pass = frame.graph.geometry(fmt::format("{}_{}", name, layer), "passes/shadow_map.vert", "passes/shadow_map.frag");
     pass.params("View", ViewParams{.clip_from_world = map.clip_from_world, .light = {}})
         .storage("Draws", frame.inputs.draws)
-        .draws(frame.inputs.list(whole ? map.draws : std::vector<std::uint32_t>()))
+        .draws(whole ? draws_of(frame, map) : nullptr)
         .two_sided()
         .depth_bias(1.0f);
     return pass.depth(array, Load::clear, layer);

@@ -99,6 +99,7 @@ SunLayers sun_layers(const RenderScene& scene, const RenderScene::Light& light, 
             const ivec2 tile(x, y);
             ShadowLayer& layer = result.layers[grid.layer(tile)];
             layer.size = size;
+            layer.from = -light.direction;
             const vec2 middle = tiles > 1 ? grid.middle(tile) : square.centre;
             layer.clip_from_world = square.clip_from_world(middle, 0.5f * grid.side / whole_tile);
             const ivec2 away = glm::abs(tile * 2 + 1 - tiles), number = (grid.lowest + tile) % static_cast<int>(tile_numbers);
