@@ -8,6 +8,7 @@
 
 #include "editor/imgui_rotation.h"
 #include "engine/core/field_range.h"
+#include "engine/core/srgb.h"
 
 namespace sl {
 
@@ -89,13 +90,7 @@ bool numbers(T* values, int count, const FieldInfo& info) {
 
 /// Numbers of linear light, and a field of the colour as a screen shows it that opens a picker.
 bool colour(vec3& linear, const FieldInfo& info) {
-    const auto encode = [](float c) {
-        return c <= 0.0031308f ? 12.92f * c : 1.055f * std::pow(c, 1.0f / 2.4f) - 0.055f;
-    };
-    const auto decode = [](float c) {
-        return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f);
-    };
-    vec3 shown(encode(linear.x), encode(linear.y), encode(linear.z));
+    vec3 shown(srgb_from_linear(linear.x), srgb_from_linear(linear.y), srgb_from_linear(linear.z));
     const float side = ImGui::GetFrameHeight();
     if (ImGui::ColorButton("##swatch", ImVec4(shown.x, shown.y, shown.z, 1.0f), ImGuiColorEditFlags_NoTooltip,
                            ImVec2(side, side))) {
@@ -104,7 +99,7 @@ bool colour(vec3& linear, const FieldInfo& info) {
     bool changed = false;
     if (ImGui::BeginPopup("picker")) {
         if (ImGui::ColorPicker3("##picker", &shown.x, ImGuiColorEditFlags_NoSidePreview)) {
-            linear = vec3(decode(shown.x), decode(shown.y), decode(shown.z));
+            linear = vec3(linear_from_srgb(shown.x), linear_from_srgb(shown.y), linear_from_srgb(shown.z));
             changed = true;
         }
         ImGui::EndPopup();

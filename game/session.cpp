@@ -15,8 +15,10 @@
 #include "engine/ecs/query.h"
 #include "engine/ecs/scene_file.h"
 #include "engine/ecs/set_field.h"
+#include "engine/ecs/systems/load_models.h"
 #include "game/crystals/crystals.h"
 #include "game/gi_presets.h"
+#include "game/model_scene.h"
 #include "game/source_folder.h"
 #include "game/streaming/terrain_stream.h"
 #include "game/voxel_content.h"
@@ -62,7 +64,7 @@ std::vector<SceneListing> scene_names() {
 }
 
 std::filesystem::path scene_path(const std::string& scene) {
-    const bool is_path = scene.find('/') != std::string::npos || scene.ends_with(".json");
+    const bool is_path = scene.find('/') != std::string::npos || scene.ends_with(".json") || is_model(scene);
     if (is_path) return scene;
     std::filesystem::path file = scene_folder() / (scene + ".json");
     if (std::filesystem::exists(file)) return file;
@@ -89,7 +91,9 @@ App open_scene(const SceneChoice& choice) {
     add_terrain_streaming(app);
     add_crystals(app);
     app.world.add_resource(FrameClock{});
-    read_scene(app.world, app.registry(), scene_path(choice.scene));
+    app.world.resource<ModelLibrary>().at_once = true;
+    const std::filesystem::path path = scene_path(choice.scene);
+    is_model(path) ? show_model(app, path) : read_scene(app.world, app.registry(), path);
     if (!choice.gi.empty()) choose_gi(app, choice.gi);
     for (const std::string& assignment : choice.sets) set_field(app.world, app.registry(), assignment);
     app.schedule.run(app.world);

@@ -13,7 +13,7 @@ namespace sl {
 
 /// Which scene a command works on, and what is changed in it first.
 struct SceneChoice {
-    std::string scene = "outdoor";   ///< a name from scene_names(), or the path of a scene file
+    std::string scene = "outdoor";   ///< a name from scene_names(), or the path of a scene file or model
     std::string gi;                  ///< "method" or "method:preset"; empty keeps the scene's own
     std::vector<std::string> sets;   ///< "component.field=value", applied in order after `gi`
 };

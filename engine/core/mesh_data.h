@@ -31,6 +31,7 @@ struct MeshData {
     std::vector<Vertex> vertices;
     std::vector<std::uint32_t> indices;
     std::vector<Facing> facings;  ///< all indices, in order; or empty, and triangles face anywhere
+    bool both_sides = false;  ///< each triangle is there twice, the second time turned
     Bounds bounds;
     std::uint32_t version = 0;  ///< whoever changes the arrays counts this up, so that caches notice
     Bounds changed;             ///< where its surface differs from the last version's; empty: anywhere

@@ -40,6 +40,7 @@ void register_engine_components(ComponentRegistry& registry) {
     registry.add<SkyLight>("sky");
     registry.add<Shape>("shape");
     registry.add<Material>("material");
+    registry.add<ModelFile>("model");
 }
 
 }  // namespace sl

@@ -62,7 +62,7 @@ class ComponentRegistry {
     std::vector<ComponentType> types_;
 };
 
-/// transform, camera, gi, directional_light, sun, spot_light, point_light, sky, shape, material.
+/// transform, camera, gi, directional_light, sun, spot_light, point_light, sky, shape, material, model.
 void register_engine_components(ComponentRegistry& registry);
 
 }  // namespace sl

@@ -8,6 +8,7 @@
 #include "engine/ecs/components/lights.h"
 #include "engine/ecs/components/material.h"
 #include "engine/ecs/components/mesh_instance.h"
+#include "engine/ecs/components/model_file.h"
 #include "engine/ecs/components/name.h"
 #include "engine/ecs/components/shape.h"
 #include "engine/ecs/components/transform.h"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "engine/measure/flip_colour.h"
 
+#include "engine/core/srgb.h"
+
 #include <cmath>
 
 namespace sl {
@@ -33,10 +35,6 @@ dmat3 relative_xyz_from_linear_matrix() {
 const mat3 relative_xyz_from_linear(relative_xyz_from_linear_matrix());
 const mat3 linear_from_relative_xyz(glm::inverse(relative_xyz_from_linear_matrix()));
 
-float decode(float encoded) {
-    return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
-}
-
 /// CIELAB's cube root with its straight piece near black.
 float lab_root(float t) {
     constexpr float knee = 6.0f / 29.0f;
@@ -46,7 +44,7 @@ float lab_root(float t) {
 }  // namespace
 
 vec3 linear_from_srgb(vec3 encoded) {
-    return {decode(encoded.x), decode(encoded.y), decode(encoded.z)};
+    return {sl::linear_from_srgb(encoded.x), sl::linear_from_srgb(encoded.y), sl::linear_from_srgb(encoded.z)};
 }
 
 vec3 opponent_from_linear(vec3 linear) {

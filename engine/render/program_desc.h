@@ -20,7 +20,7 @@ struct ProgramDesc {
 };
 
 /// How a pass looks at an image. nearest, linear: clamped, no mips. shadow_compare: linear comparison against reversed
-/// depth, lit outside the map. pixel_art: repeats, sharp when close, mip-mapped when far.
-enum class Sampling { nearest, linear, shadow_compare, pixel_art };
+/// depth, lit outside the map. pixel_art: repeats, sharp when close, mip-mapped when far. picture: repeats, smooth.
+enum class Sampling { nearest, linear, shadow_compare, pixel_art, picture };
 
 }  // namespace sl

@@ -15,6 +15,26 @@ DrawList chosen(const std::vector<DrawCall>& calls, const std::vector<std::uint3
     return list;
 }
 
+/// One white texel where there are no layers.
+gl::Texture array_of(const TextureLayers* layers, Format format, const char* label) {
+    if (layers == nullptr || layers->layers.empty()) {
+        gl::Texture texture({.layers = 1, .format = format}, label);
+        const std::vector<std::uint8_t> white{255, 255, 255, 255};
+        texture.upload(0, 0, std::as_bytes(std::span(white)));
+        return texture;
+    }
+    gl::Texture texture({.width = layers->size, .height = layers->size, .layers = static_cast<std::uint32_t>(layers->layers.size()), .mips = layers->mips, .format = format}, label);
+    for (std::uint32_t layer = 0; layer < layers->layers.size(); ++layer) {
+        std::span<const std::uint8_t> bytes(layers->layers[layer]);
+        for (std::uint32_t mip = 0; mip < layers->mips; ++mip) {
+            const std::size_t side = std::max(layers->size >> mip, 1u);
+            texture.upload(mip, layer, std::as_bytes(bytes.first(side * side * 4)));
+            bytes = bytes.subspan(side * side * 4);
+        }
+    }
+    return texture;
+}
+
 }  // namespace
 
 DrawList SceneInputs::list(const std::vector<std::uint32_t>& draws_) const { return chosen(calls, draws_); }
@@ -49,25 +69,14 @@ void GpuScene::refresh_textures(const RenderScene& scene) {
     const std::uint32_t version = scene.textures != nullptr ? scene.textures->version : 0;
     if (textures_ && version == textures_version_) return;
     textures_version_ = version;
-    const bool any = scene.textures != nullptr && !scene.textures->layers.empty();
-    if (!any) {
-        textures_ = gl::Texture({.layers = 1, .format = Format::srgb8_alpha8}, "no textures");
-        const std::vector<std::uint8_t> white{255, 255, 255, 255};
-        textures_.upload(0, 0, std::as_bytes(std::span(white)));
-        return;
-    }
-    const TextureLayers& layers = *scene.textures;
-    textures_ = gl::Texture({.width = layers.size, .height = layers.size,
-                             .layers = static_cast<std::uint32_t>(layers.layers.size()), .mips = layers.mips,
-                             .format = Format::srgb8_alpha8}, "block textures");
-    for (std::uint32_t layer = 0; layer < layers.layers.size(); ++layer) {
-        std::span<const std::uint8_t> bytes(layers.layers[layer]);
-        for (std::uint32_t mip = 0; mip < layers.mips; ++mip) {
-            const std::size_t side = std::max(layers.size >> mip, 1u);
-            textures_.upload(mip, layer, std::as_bytes(bytes.first(side * side * 4)));
-            bytes = bytes.subspan(side * side * 4);
-        }
-    }
+    textures_ = array_of(scene.textures, Format::srgb8_alpha8, "block textures");
+}
+
+void GpuScene::refresh_pictures(const RenderScene& scene) {
+    if (picture_colours_ && scene.pictures.version == pictures_version_) return;
+    pictures_version_ = scene.pictures.version;
+    picture_colours_ = array_of(scene.pictures.colours.get(), Format::srgb8_alpha8, "picture colours");
+    picture_data_ = array_of(scene.pictures.data.get(), Format::rgba8, "picture data");
 }
 
 SceneInputs GpuScene::upload(FrameGraph& graph, const RenderScene& scene, const LightTable& lights) {
@@ -90,18 +99,22 @@ SceneInputs GpuScene::upload(FrameGraph& graph, const RenderScene& scene, const 
     // A mesh that no draw names any more has left the scene.
     std::erase_if(meshes_, [&](const auto& entry) { return entry.second.used_in != frame_; });
 
-    std::vector<MaterialParams> materials;
-    materials.reserve(scene.materials.size());
-    for (const MaterialEntry& entry : scene.materials) materials.push_back(material_params(entry));
+    const MaterialRows rows = material_rows(scene.materials);
     draws_.upload(draws, "draws");
-    materials_.upload(materials, "materials");
+    materials_.upload(rows.materials, "materials");
+    pictures_.upload(rows.pictures, "pictures");
     lights_.upload(lights.params, "lights");
     refresh_textures(scene);
+    refresh_pictures(scene);
 
     inputs.draws = graph.import_buffer("draws", draws.size() * sizeof(DrawParams), draws_.id());
-    inputs.materials = graph.import_buffer("materials", materials.size() * sizeof(MaterialParams), materials_.id());
+    inputs.materials = graph.import_buffer("materials", rows.materials.size() * sizeof(MaterialParams), materials_.id());
     inputs.lights = graph.import_buffer("lights", lights.params.size() * sizeof(LightParams), lights_.id());
     inputs.textures = graph.import_image("block_textures", textures_.desc(), textures_.id());
+    if (rows.pictures.empty()) return inputs;
+    inputs.pictures = graph.import_buffer("pictures", rows.pictures.size() * sizeof(PictureParams), pictures_.id());
+    inputs.picture_colours = graph.import_image("picture_colours", picture_colours_.desc(), picture_colours_.id());
+    inputs.picture_data = graph.import_image("picture_data", picture_data_.desc(), picture_data_.id());
     return inputs;
 }
 

@@ -14,6 +14,8 @@ namespace sl {
 struct SceneInputs {
     BufferId draws, materials, lights;
     ImageId textures;
+    BufferId pictures;  ///< these three only where some material reads pictures
+    ImageId picture_colours, picture_data;
     std::vector<DrawCall> calls;  ///< one per RenderScene::Draw
     std::vector<DrawCall> water_calls;  ///< one per surface of water
     std::uint64_t triangles = 0;
@@ -42,11 +44,12 @@ class GpuScene {
     };
     const GpuMesh& refresh(const RenderScene& scene, MeshHandle handle);
     void refresh_textures(const RenderScene& scene);
+    void refresh_pictures(const RenderScene& scene);
 
     std::map<MeshHandle, GpuMesh> meshes_;
-    gl::Buffer draws_, materials_, lights_;
-    gl::Texture textures_;
-    std::uint32_t textures_version_ = ~0u;
+    gl::Buffer draws_, materials_, lights_, pictures_;
+    gl::Texture textures_, picture_colours_, picture_data_;
+    std::uint32_t textures_version_ = ~0u, pictures_version_ = ~0u;
     std::uint64_t frame_ = 0;
 };
 

@@ -27,12 +27,13 @@ void add_bench_flight_command(const Flags& bench, const GlobalFlags& flags);
 void add_bench_gi_command(const Flags& bench, const GlobalFlags& flags);
 void add_bench_rays_command(const Flags& bench);
 void add_export_command(const Flags& program);
+void add_inspect_command(const Flags& program);
 void add_reference_command(const Flags& program);
 void add_merge_command(const Flags& program);
 /// Needs no context, so no flags.
 void add_compare_command(const Flags& program);
 
-inline constexpr const char* scene_flag_help = "Scene by name (see `secondlight list scenes`) or path";
+inline constexpr const char* scene_flag_help = "Scene by name (see `secondlight list scenes`), or path of a scene file or a glTF model; the flag may be left out";
 /// The flags --scene, --gi and --set that several commands share.
 void add_scene_flags(const Flags& command, SceneChoice& choice);
 /// --gi and --set alone.

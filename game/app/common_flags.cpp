@@ -8,7 +8,7 @@
 namespace sl {
 
 void add_scene_flags(const Flags& command, SceneChoice& choice) {
-    command.add("--scene", choice.scene, scene_flag_help);
+    command.add("--scene,PATH", choice.scene, scene_flag_help);
     add_setting_flags(command, choice);
 }
 

@@ -2,6 +2,7 @@
 #include "game/app/open_game.h"
 
 #include "engine/core/log.h"
+#include "engine/ecs/systems/load_models.h"
 #include "engine/render/trace/light_meter.h"
 #include "game/block_tool.h"
 #include "game/flashlight.h"
@@ -23,6 +24,7 @@ App open_game(PlaySettings settings) {
     App app = open_scene(settings.scene);
     // What is near is there; from now on nothing waits for the rest.
     app.world.resource<TerrainView>().at_once = false;
+    app.world.resource<ModelLibrary>().at_once = false;
     add_light_keys(app);
     add_block_tool(app);
     add_fly_camera(app);

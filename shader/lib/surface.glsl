@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A fragment's material: base colour from table, texture and vertex.
-#include "shared/scene.h"
+#include "lib/materials.glsl"
 
-layout(std430) readonly buffer Materials { MaterialParams materials[]; };
 uniform sampler2DArray block_textures;
 
 vec3 base_colour_of(MaterialParams material, vec2 uv, vec3 vertex_colour) {

@@ -17,7 +17,7 @@ struct MaterialParams {
     vec4 base_colour;  ///< rgb linear; a: roughness
     vec4 emission;     ///< rgb nit; a: metallic
     vec4 specular;     ///< x: dielectric specular factor
-    uvec4 texture;     ///< x: layer of the texture array, or no_texture
+    uvec4 texture;     ///< x: layer of the texture array, or no_texture; y: one more than its row of pictures, or 0
 };
 
 /// Base colour at a point; `texel` is the texture's colour there, which counts only where the material has one.

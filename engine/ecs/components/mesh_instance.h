@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "engine/core/mesh_data.h"
 #include "engine/ecs/components/material.h"
+#include "shared/pictures.h"
 
 namespace sl {
 
@@ -12,6 +15,7 @@ namespace sl {
 struct MaterialEntry {
     Material material;
     std::int32_t texture_layer = -1;  ///< layer of the BlockTextures array; -1 is plain
+    std::optional<PictureParams> pictures{};  ///< layers of a PictureTable; of meshes with one material
 };
 
 /// Materials shared by many meshes (a block palette, a model's material list), a resource. Vertex.material counts from
@@ -27,6 +31,12 @@ struct TextureLayers {
     std::uint32_t size = 1;
     std::uint32_t mips = 1;
     std::vector<std::vector<std::uint8_t>> layers;
+    std::uint32_t version = 0;
+};
+
+/// The pictures that materials read, a resource: colours (sRGB, alpha), and data, which are linear. Top row first.
+struct PictureTable {
+    std::shared_ptr<const TextureLayers> colours, data;  ///< null where there are none
     std::uint32_t version = 0;
 };
 

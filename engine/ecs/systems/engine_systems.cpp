@@ -4,6 +4,7 @@
 #include "engine/ecs/component_registry.h"
 #include "engine/ecs/systems/build_shapes.h"
 #include "engine/ecs/systems/day_cycle.h"
+#include "engine/ecs/systems/load_models.h"
 #include "engine/ecs/systems/sun_direction.h"
 #include "engine/ecs/systems/world_transform.h"
 
@@ -24,6 +25,7 @@ void add_engine_resources(World& world) {
     add_if_missing<Placements>(world);
     add_if_missing<FrameClock>(world);
     add_if_missing<DayPause>(world);
+    if (world.find_resource<ModelLibrary>() == nullptr) world.emplace_resource<ModelLibrary>();
     if (world.find_resource<ComponentRegistry>() == nullptr) {
         register_engine_components(world.emplace_resource<ComponentRegistry>());
     }
@@ -32,6 +34,7 @@ void add_engine_resources(World& world) {
 void add_engine_systems(Schedule& schedule) {
     schedule.add(Stage::simulate, "sun_direction", &sun_direction);
     schedule.add(Stage::simulate, "day_cycle", &day_cycle);
+    schedule.add(Stage::simulate, "load_models", &load_models);
     schedule.add(Stage::derive, "add_world_transforms", &add_world_transforms);
     schedule.add(Stage::derive, "world_transform", &world_transform);
     schedule.add(Stage::mesh, "build_shapes", &build_shapes);

@@ -15,10 +15,11 @@ void set(GLuint id, GLint minified, GLint magnified, GLint wrap) {
 }  // namespace
 
 Samplers::Samplers() {
-    glCreateSamplers(4, ids_);
+    glCreateSamplers(5, ids_);
     set(id(Sampling::nearest), GL_NEAREST, GL_NEAREST, GL_CLAMP_TO_EDGE);
     set(id(Sampling::linear), GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE);
     set(id(Sampling::pixel_art), GL_NEAREST_MIPMAP_LINEAR, GL_NEAREST, GL_REPEAT);
+    set(id(Sampling::picture), GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_REPEAT);
 
     // Reversed depth: outside the map is infinitely far (0), and everything is at least that near: lit.
     const GLuint shadow = id(Sampling::shadow_compare);
@@ -31,11 +32,12 @@ Samplers::Samplers() {
     set_label(GL_SAMPLER, id(Sampling::nearest), "nearest");
     set_label(GL_SAMPLER, id(Sampling::linear), "linear");
     set_label(GL_SAMPLER, id(Sampling::pixel_art), "pixel_art");
+    set_label(GL_SAMPLER, id(Sampling::picture), "picture");
     set_label(GL_SAMPLER, shadow, "shadow_compare");
 }
 
 Samplers::~Samplers() {
-    glDeleteSamplers(4, ids_);
+    glDeleteSamplers(5, ids_);
 }
 
 }  // namespace sl::gl

@@ -6,14 +6,11 @@
 #include <cmath>
 
 #include "engine/core/check.h"
+#include "engine/core/srgb.h"
 #include "engine/render/gl/label.h"
 
 namespace sl::gl {
 namespace {
-
-float linear_from_srgb(float encoded) {
-    return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
-}
 
 GLsizei size(std::uint32_t value) {
     return static_cast<GLsizei>(value);

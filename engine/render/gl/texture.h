@@ -69,7 +69,7 @@ class Samplers {
     GLuint id(Sampling sampling) const { return ids_[static_cast<int>(sampling)]; }
 
   private:
-    GLuint ids_[4] = {};
+    GLuint ids_[5] = {};
 };
 
 }  // namespace sl::gl

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "engine/render/passes/pictured_draws.h"
 #include "shared/view.h"
 
 namespace sl {
@@ -25,18 +26,29 @@ std::vector<std::uint32_t> seen_draws(const FrameInput& frame) {
 }  // namespace
 
 GBuffer gbuffer(const FrameInput& frame) {
+    const vec4 eye(vec3(frame.params.camera_position), 1.0f);
+    const ViewParams view{.clip_from_world = frame.params.clip_from_world, .light = {}};
+    const ByPictures draws = by_pictures(frame.scene, seen_draws(frame));
     auto pass = frame.graph.geometry("gbuffer", "passes/gbuffer.vert", "passes/gbuffer.frag");
-    pass.params("View", ViewParams{.clip_from_world = frame.params.clip_from_world, .light = {}})
+    pass.params("View", view)
         .storage("Draws", frame.inputs.draws)
         .storage("Materials", frame.inputs.materials)
         .read("block_textures", frame.inputs.textures, Sampling::pixel_art)
-        .draws(frame.inputs.list_facing(seen_draws(frame), vec4(vec3(frame.params.camera_position), 1.0f)));
+        .draws(frame.inputs.list_facing(draws.plain, eye));
     GBuffer result;
     result.albedo = pass.create("albedo", frame.screen(Format::srgb8_alpha8), Load::clear);
     result.normal = pass.create("normal", frame.screen(Format::rg16), Load::clear, {0.5f, 0.5f, 0, 0});
     result.material = pass.create("material", frame.screen(Format::rgba8), Load::clear);
     result.emission = pass.create("emission", frame.screen(Format::rgba16f), Load::clear);
     result.depth = pass.depth(frame.graph.create("depth", frame.screen(Format::depth32f)), Load::clear);
+    if (draws.pictured.empty()) return result;
+    auto pictured = frame.graph.geometry("gbuffer_pictures", "passes/pictured.vert", "passes/gbuffer_pictures.frag");
+    read_pictures(pictured.params("View", view).draws(frame.inputs.list_facing(draws.pictured, eye)), frame.inputs);
+    result.albedo = pictured.write("albedo", result.albedo, Load::keep);
+    result.normal = pictured.write("normal", result.normal, Load::keep);
+    result.material = pictured.write("material", result.material, Load::keep);
+    result.emission = pictured.write("emission", result.emission, Load::keep);
+    result.depth = pictured.depth(result.depth, Load::keep);
     return result;
 }
 

@@ -3,6 +3,7 @@
 
 #include "engine/core/error.h"
 
+#include "engine/render/passes/pictured_draws.h"
 #include "shared/view.h"
 
 namespace sl {
@@ -41,16 +42,25 @@ Rsm rsm(const FrameInput& frame, std::uint32_t size) {
         // Both images are drawn by one pass, so one of the two keys decides for both.
         const bool stale = graph.needs_redraw(result.position, layer, map.key);
         if (!stale) continue;
+        const ViewParams view{.clip_from_world = map.clip_from_world, .light = uvec4(light, size, 0, 0)};
+        const vec4 eye = eye_of(frame.scene.lights[light]);
+        const ByPictures draws = by_pictures(frame.scene, visible_draws(frame.scene, map.clip_from_world));
         auto pass = graph.geometry(fmt::format("rsm_{}", layer), "passes/rsm.vert", "passes/rsm.frag");
-        pass.params("View", ViewParams{.clip_from_world = map.clip_from_world, .light = uvec4(light, size, 0, 0)})
+        pass.params("View", view)
             .storage("Draws", frame.inputs.draws)
             .storage("Materials", frame.inputs.materials)
             .storage("Lights", frame.inputs.lights)
             .read("block_textures", frame.inputs.textures, Sampling::pixel_art)
-            .draws(frame.inputs.list_facing(visible_draws(frame.scene, map.clip_from_world), eye_of(frame.scene.lights[light])));
+            .draws(frame.inputs.list_facing(draws.plain, eye));
         result.position = pass.write("rsm_position", result.position, Load::clear, layer);
         result.flux = pass.write("rsm_flux", result.flux, Load::clear, layer);
         depth = pass.depth(depth, Load::clear);
+        if (draws.pictured.empty()) continue;
+        auto pictured = graph.geometry(fmt::format("rsm_pictures_{}", layer), "passes/pictured.vert", "passes/rsm_pictures.frag");
+        read_pictures(pictured.params("View", view).storage("Lights", frame.inputs.lights).draws(frame.inputs.list_facing(draws.pictured, eye)), frame.inputs);
+        result.position = pictured.write("rsm_position", result.position, Load::keep, layer);
+        result.flux = pictured.write("rsm_flux", result.flux, Load::keep, layer);
+        depth = pictured.depth(depth, Load::keep);
     }
     return result;
 }

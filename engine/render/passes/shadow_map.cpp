@@ -5,6 +5,7 @@
 #include <array>
 #include <numeric>
 
+#include "engine/render/passes/pictured_draws.h"
 #include "shared/view.h"
 
 namespace sl {
@@ -64,20 +65,27 @@ ImageId shadow_array(const FrameInput& frame, const char* name, const std::vecto
     return frame.graph.persistent(name, {.width = size, .height = size, .layers = count, .format = Format::depth32f});
 }
 
-DrawList draws_of(const FrameInput& frame, const ShadowLayer& map) {
-    return map.from == vec3(0.0f) ? frame.inputs.list(map.draws) : frame.inputs.list_facing(map.draws, vec4(map.from, 0.0f));
+DrawList calls_of(const FrameInput& frame, const ShadowLayer& map, const std::vector<std::uint32_t>& draws) {
+    return map.from == vec3(0.0f) ? frame.inputs.list(draws) : frame.inputs.list_facing(draws, vec4(map.from, 0.0f));
 }
 
 /// Draws a layer anew, or empties it; returns the array with it.
 ImageId draw_layer(const FrameInput& frame, const char* name, ImageId array, std::uint32_t layer, const ShadowLayer& map, bool whole) {
     if (!frame.graph.needs_redraw(array, layer, whole ? map.key : map.empty_key())) return array;
+    std::vector<std::uint32_t> solid, open;
+    for (const std::uint32_t draw : map.draws) (frame.scene.draws[draw].open ? open : solid).push_back(draw);
+    const ViewParams view{.clip_from_world = map.clip_from_world, .light = {}};
     auto pass = frame.graph.geometry(fmt::format("{}_{}", name, layer), "passes/shadow_map.vert", "passes/shadow_map.frag");
-    pass.params("View", ViewParams{.clip_from_world = map.clip_from_world, .light = {}})
+    pass.params("View", view)
         .storage("Draws", frame.inputs.draws)
-        .draws(whole ? draws_of(frame, map) : nullptr)
+        .draws(whole ? calls_of(frame, map, solid) : nullptr)
         .two_sided()
         .depth_bias(1.0f);
-    return pass.depth(array, Load::clear, layer);
+    array = pass.depth(array, Load::clear, layer);
+    if (!whole || open.empty()) return array;
+    auto pictured = frame.graph.geometry(fmt::format("{}_pictures_{}", name, layer), "passes/pictured.vert", "passes/shadow_map_pictures.frag");
+    read_picture_colours(pictured.params("View", view).draws(calls_of(frame, map, open)).two_sided().depth_bias(1.0f), frame.inputs);
+    return pictured.depth(array, Load::keep, layer);
 }
 
 ImageId drawn_array(const FrameInput& frame, const char* name, const std::vector<ShadowLayer>& layers) {

@@ -57,7 +57,8 @@ std::uint64_t material_hash(const MaterialEntry& entry) {
     const std::array<float, 10> values{m.base_colour.x, m.base_colour.y, m.base_colour.z, m.metallic, m.roughness,
                                        m.specular, m.emission, m.emission_colour.x, m.emission_colour.y,
                                        m.emission_colour.z};
-    return hash_mix(hash_bytes(0x5ec0d, values.data(), sizeof values), static_cast<std::uint32_t>(entry.texture_layer));
+    const std::uint64_t hash = hash_mix(hash_bytes(0x5ec0d, values.data(), sizeof values), static_cast<std::uint32_t>(entry.texture_layer));
+    return entry.pictures ? hash_bytes(hash, &*entry.pictures, sizeof(PictureParams)) : hash;
 }
 
 mat4 placed(const WorldTransform& transform, const dvec3& origin) {
@@ -88,6 +89,11 @@ void extract_draws(World& world, RenderScene& scene) {
         } else {
             draw.first_material = static_cast<std::uint32_t>(instance.first_material);
         }
+        if (draw.first_material < scene.materials.size()) {
+            const auto& pictures = scene.materials[draw.first_material].pictures;
+            draw.pictured = pictures.has_value();
+            draw.open = draw.pictured && pictures->alpha.y != 0.0f;
+        }
         draw.bounds = transformed(mesh->bounds, draw.world_from_local);
         // Where it is in the world: the origin may step on.
         draw.content = hash_bytes(hash_mix(own_material, draw.first_material), &transform.origin, sizeof(dvec3));
@@ -99,7 +105,9 @@ void extract_draws(World& world, RenderScene& scene) {
         scene.bounds.add(draw.bounds);
         scene.draws.push_back(draw);
     }
-    scene.materials_hash = scene.textures != nullptr ? scene.textures->version : 0;
+    const auto* pictures = world.find_resource<PictureTable>();
+    scene.pictures = pictures != nullptr ? *pictures : PictureTable{};
+    scene.materials_hash = hash_mix(scene.textures != nullptr ? scene.textures->version : 0, scene.pictures.version);
     for (const MaterialEntry& entry : scene.materials) scene.materials_hash = hash_mix(scene.materials_hash, material_hash(entry));
 }
 

@@ -38,6 +38,8 @@ struct RenderScene {
         std::uint64_t content_before = 0;  ///< the same with the mesh's last version
         Bounds changed;             ///< where the two differ; empty: anywhere
         Entity entity{};            ///< that it was made from, if any
+        bool pictured = false;      ///< its material reads pictures
+        bool open = false;          ///< and has holes, or is see-through
     };
 
     struct Light {
@@ -71,6 +73,7 @@ struct RenderScene {
     Bounds bounds;  ///< of all draws
     const MeshPool* meshes = nullptr;
     const TextureLayers* textures = nullptr;
+    PictureTable pictures;
 
     /// Hash of all geometry and materials, and of where the origin is.
     std::uint64_t geometry_hash() const;

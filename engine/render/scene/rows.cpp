@@ -3,12 +3,26 @@
 
 namespace sl {
 
-MaterialParams material_params(const MaterialEntry& entry) {
+namespace {
+
+MaterialParams material_params(const MaterialEntry& entry, std::uint32_t picture_row) {
     const Material& m = entry.material;
     return {.base_colour = vec4(m.base_colour, m.roughness),
             .emission = vec4(m.emission_colour * m.emission, m.metallic),
             .specular = vec4(m.specular, 0, 0, 0),
-            .texture = uvec4(entry.texture_layer >= 0 ? static_cast<std::uint32_t>(entry.texture_layer) : no_texture, 0, 0, 0)};
+            .texture = uvec4(entry.texture_layer >= 0 ? static_cast<std::uint32_t>(entry.texture_layer) : no_texture, picture_row, 0, 0)};
+}
+
+}  // namespace
+
+MaterialRows material_rows(std::span<const MaterialEntry> entries) {
+    MaterialRows rows;
+    rows.materials.reserve(entries.size());
+    for (const MaterialEntry& entry : entries) {
+        if (entry.pictures) rows.pictures.push_back(*entry.pictures);
+        rows.materials.push_back(material_params(entry, entry.pictures ? static_cast<std::uint32_t>(rows.pictures.size()) : 0));
+    }
+    return rows;
 }
 
 mat4 normal_matrix(const mat4& matrix) {

@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
+
 #include "engine/render/scene/render_scene.h"
 #include "shared/scene.h"
 
 namespace sl {
 
-/// A material as shaders and the path tracer read it.
-MaterialParams material_params(const MaterialEntry& entry);
+/// Materials as shaders and the path tracer read them.
+struct MaterialRows {
+    std::vector<MaterialParams> materials;
+    std::vector<PictureParams> pictures;  ///< of those that read some
+};
+MaterialRows material_rows(std::span<const MaterialEntry> entries);
 
 /// Turns normals right under any scale or mirror: the cofactors of the linear part.
 mat4 normal_matrix(const mat4& world_from_local);

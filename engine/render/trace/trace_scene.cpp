@@ -4,20 +4,19 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <unordered_map>
 #include <utility>
 
+#include "engine/core/srgb.h"
 #include "engine/render/scene/rows.h"
+#include "engine/render/trace/picture_reader.h"
 #include "engine/render/trace/traced_mesh.h"
 
 namespace sl {
 
 namespace {
-
-float linear_from_srgb(float encoded) {
-    return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
-}
 
 /// The finest level of the block textures, decoded.
 struct LinearTextures {
@@ -64,9 +63,16 @@ struct TraceScene::Data {
     std::vector<std::unique_ptr<TracedMesh>> meshes;         ///< by their numbers in Embree's scene; null where one was
     std::unordered_multimap<std::uint64_t, std::uint32_t> number;  ///< by a draw's content
     std::vector<std::uint32_t> free;                               ///< numbers of none
-    std::vector<MaterialParams> materials;
+    MaterialRows materials;
     std::optional<std::uint64_t> textures_version;
     LinearTextures textures{nullptr};
+    PictureReader picture_colours, picture_data;
+    /// What Embree gives back when it asks about a hit.
+    struct Asked {
+        const Data* data;
+        std::uint32_t id;
+    };
+    std::vector<std::unique_ptr<Asked>> asked;  ///< by the meshes' numbers; of those alone whose hits are asked about
 
     Data() {
         // A tree for each mesh and one over them, so that a change builds anew what has changed: Embree makes these for low
@@ -80,13 +86,29 @@ struct TraceScene::Data {
         if (free.empty()) {
             free.push_back(static_cast<std::uint32_t>(meshes.size()));
             meshes.emplace_back();
+            asked.emplace_back();
         }
         const std::uint32_t id = free.back();
         free.pop_back();
+        asked[id].reset();
+        if (mesh->both_sides() || mesh->open()) {
+            asked[id] = std::make_unique<Asked>(Asked{this, id});
+            rtcSetGeometryUserData(mesh->geometry(), asked[id].get());
+            rtcSetGeometryIntersectFilterFunction(mesh->geometry(), &leave_out);
+            rtcSetGeometryOccludedFilterFunction(mesh->geometry(), &leave_out);
+            rtcCommitGeometry(mesh->geometry());
+        }
         rtcAttachGeometryByID(scene, mesh->geometry(), id);
         meshes[id] = std::move(mesh);
         return id;
     }
+    MaterialParams pictured(const MaterialParams& material, vec2 uv) const {
+        const PictureParams& params = materials.pictures[material.texture.y - 1];
+        const vec2 place = picture_inside(params, picture_place(params, uv));
+        return pictured_material(material, vec3(picture_colours.at(params.layers.x, place)), vec3(picture_colours.at(params.layers.y, place)), vec3(picture_data.at(params.layers.z, place)));
+    }
+    bool is_open(const TracedMesh& mesh, std::uint32_t triangle, float u, float v) const;
+    static void leave_out(const RTCFilterFunctionNArguments* hit);
     void remove(std::uint32_t id) {
         rtcDetachGeometry(scene, id);
         meshes[id].reset();
@@ -94,13 +116,43 @@ struct TraceScene::Data {
     }
 };
 
+/// A hit does not count on a back whose front lies at the same place, nor where a material is open.
+void TraceScene::Data::leave_out(const RTCFilterFunctionNArguments* hit) {
+    const auto* asked = static_cast<const Asked*>(hit->geometryUserPtr);
+    const TracedMesh& mesh = *asked->data->meshes[asked->id];
+    for (unsigned i = 0; i < hit->N; ++i) {
+        if (hit->valid[i] == 0) continue;
+        const vec3 direction(RTCRayN_dir_x(hit->ray, hit->N, i), RTCRayN_dir_y(hit->ray, hit->N, i), RTCRayN_dir_z(hit->ray, hit->N, i));
+        const vec3 face(RTCHitN_Ng_x(hit->hit, hit->N, i), RTCHitN_Ng_y(hit->hit, hit->N, i), RTCHitN_Ng_z(hit->hit, hit->N, i));
+        const std::uint32_t triangle = RTCHitN_primID(hit->hit, hit->N, i);
+        const float u = RTCHitN_u(hit->hit, hit->N, i), v = RTCHitN_v(hit->hit, hit->N, i);
+        const bool behind = mesh.both_sides() && glm::dot(face, direction) > 0.0f;
+        if (behind || (mesh.open() && asked->data->is_open(mesh, triangle, u, v))) hit->valid[i] = 0;
+    }
+}
+
+bool TraceScene::Data::is_open(const TracedMesh& mesh, std::uint32_t triangle, float u, float v) const {
+    const uvec3 index = mesh.triangles()[triangle];
+    const vec3 weights(1.0f - u - v, u, v);
+    const TracedMesh::Vertex &a = mesh.vertices()[index.x], &b = mesh.vertices()[index.y], &c = mesh.vertices()[index.z];
+    const MaterialParams& material = materials.materials[a.material];
+    if (material.texture.y == 0) return false;
+    const PictureParams& params = materials.pictures[material.texture.y - 1];
+    const vec2 place = picture_inside(params, picture_place(params, weights.x * a.uv + weights.y * b.uv + weights.z * c.uv));
+    const float alpha = params.alpha.x * (weights.x * a.alpha + weights.y * b.alpha + weights.z * c.alpha) * picture_colours.at(params.layers.x, place).w;
+    // By chance, which differs from place to place and from ray to ray, as light passes what is see-through.
+    const std::uint64_t chance = hash_mix(hash_mix(triangle, std::bit_cast<std::uint32_t>(u)), std::bit_cast<std::uint32_t>(v));
+    return picture_cover(params, alpha) <= static_cast<float>(chance >> 40) * 0x1p-24f;
+}
+
 TraceScene::TraceScene(const RenderScene& scene) : data_(std::make_unique<Data>()) { update(scene); }
 
 void TraceScene::update(const RenderScene& scene) {
     const std::uint64_t textures_version = scene.textures != nullptr ? scene.textures->version : 0;
     if (std::exchange(data_->textures_version, textures_version) != textures_version) data_->textures = LinearTextures(scene.textures);
-    data_->materials.clear();
-    for (const MaterialEntry& entry : scene.materials) data_->materials.push_back(material_params(entry));
+    data_->materials = material_rows(scene.materials);
+    data_->picture_colours = PictureReader(scene.pictures.colours, PictureReader::Encoding::srgb);
+    data_->picture_data = PictureReader(scene.pictures.data, PictureReader::Encoding::linear);
     auto before = std::exchange(data_->number, {});
     std::vector<const RenderScene::Draw*> fresh;
     for (const RenderScene::Draw& draw : scene.draws) {
@@ -175,8 +227,9 @@ SurfacePoint TraceScene::surface_at(const TriangleHit& hit) const {
     const vec3 blended = weights.x * va.normal + weights.y * vb.normal + weights.z * vc.normal;
     const float length = glm::length(blended);
     const vec3 normal = length > 1e-6f ? blended / length : point.face;
-    const MaterialParams& material = data_->materials[va.material];
+    MaterialParams material = data_->materials.materials[va.material];
     const vec2 uv = weights.x * va.uv + weights.y * vb.uv + weights.z * vc.uv;
+    if (material.texture.y > 0) material = data_->pictured(material, uv);
     const vec3 texel = material.texture.x == no_texture ? vec3(1.0f) : data_->textures.at(material.texture.x, uv);
     const vec3 colour = surface_colour(material, texel, weights.x * va.colour + weights.y * vb.colour + weights.z * vc.colour);
     point.surface.base_colour = vec4(colour, material.base_colour.w);
@@ -193,12 +246,12 @@ std::array<vec3, 3> TraceScene::corners(std::uint32_t draw, std::uint32_t triang
 }
 
 bool TraceScene::glows(std::uint32_t draw) const {
-    return data_->meshes[draw] && std::ranges::any_of(data_->meshes[draw]->materials(), [&](std::uint32_t row) { return vec3(data_->materials[row].emission) != vec3(0.0f); });
+    return data_->meshes[draw] && std::ranges::any_of(data_->meshes[draw]->materials(), [&](std::uint32_t row) { return vec3(data_->materials.materials[row].emission) != vec3(0.0f); });
 }
 
 vec3 TraceScene::plain_emission(std::uint32_t draw, std::uint32_t triangle) const {
     const TracedMesh& mesh = *data_->meshes[draw];
-    return vec3(data_->materials[mesh.vertices()[mesh.triangles()[triangle].x].material].emission);
+    return vec3(data_->materials.materials[mesh.vertices()[mesh.triangles()[triangle].x].material].emission);
 }
 
 std::uint32_t TraceScene::draw_count() const { return static_cast<std::uint32_t>(data_->meshes.size()); }
@@ -208,7 +261,8 @@ std::uint32_t TraceScene::triangle_count(std::uint32_t draw) const {
 
 std::uint64_t TraceScene::content_hash() const {
     const auto bytes = [](std::uint64_t hash, const auto& values) { return hash_bytes(hash, values.data(), values.size() * sizeof(values[0])); };
-    std::uint64_t hash = bytes(bytes(1, data_->materials), data_->textures.texels);
+    std::uint64_t hash = bytes(bytes(bytes(1, data_->materials.materials), data_->materials.pictures), data_->textures.texels);
+    hash = data_->picture_data.hash(data_->picture_colours.hash(hash));
     for (const auto& mesh : data_->meshes) {
         if (mesh) hash = bytes(bytes(bytes(hash, mesh->positions()), mesh->vertices()), mesh->triangles());
     }

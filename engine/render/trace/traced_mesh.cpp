@@ -26,14 +26,14 @@ std::shared_ptr<RTCDeviceTy> start_embree() {
     return {device, [](RTCDevice it) { rtcReleaseDevice(it); }};
 }
 
-TracedMesh::TracedMesh(std::shared_ptr<RTCDeviceTy> device, const MeshData& mesh, const RenderScene::Draw& draw) : device_(std::move(device)) {
+TracedMesh::TracedMesh(std::shared_ptr<RTCDeviceTy> device, const MeshData& mesh, const RenderScene::Draw& draw) : device_(std::move(device)), both_sides_(mesh.both_sides), open_(draw.open) {
     const mat3 turn(normal_matrix(draw.world_from_local));
     for (const sl::Vertex& vertex : mesh.vertices) {
         positions_.push_back(vec3(draw.world_from_local * vec4(vertex.position, 1.0f)));
         bounds_.add(positions_.back());
         const vec3 normal = turn * unpack_normal(vertex.normal);
         const float length = glm::length(normal);
-        vertices_.push_back({.normal = length > 0.0f ? normal / length : vec3(0.0f), .uv = vertex.uv, .colour = vertex_colour(vertex.colour),
+        vertices_.push_back({.normal = length > 0.0f ? normal / length : vec3(0.0f), .uv = vertex.uv, .colour = vertex_colour(vertex.colour), .alpha = static_cast<float>(vertex.colour >> 24) / 255.0f,
                              .material = draw.first_material + vertex.material});
         materials_.push_back(vertices_.back().material);
     }

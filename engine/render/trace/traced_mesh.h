@@ -20,6 +20,7 @@ class TracedMesh {
         vec3 normal;
         vec2 uv;
         vec3 colour;
+        float alpha = 1.0f;
         std::uint32_t material = 0;  ///< row of the material table
     };
 
@@ -33,6 +34,10 @@ class TracedMesh {
     const Bounds& bounds() const { return bounds_; }
     /// Rows of the material table that it has, each once.
     const std::vector<std::uint32_t>& materials() const { return materials_; }
+    /// Each triangle is there twice, the second time turned.
+    bool both_sides() const { return both_sides_; }
+    /// Its material has holes, or is see-through.
+    bool open() const { return open_; }
     /// Changes all positions by `offset`, m.
     void move(vec3 offset);
     RTCGeometry geometry() const { return geometry_.get(); }
@@ -50,6 +55,7 @@ class TracedMesh {
     std::vector<uvec3> triangles_;
     std::vector<std::uint32_t> materials_;
     Bounds bounds_;
+    bool both_sides_ = false, open_ = false;
     std::unique_ptr<RTCGeometryTy, Release> geometry_;
 };
 

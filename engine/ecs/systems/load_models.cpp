@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+#include "engine/ecs/systems/load_models.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "engine/core/error.h"
+#include "engine/core/log.h"
+#include "engine/ecs/components.h"
+#include "engine/ecs/parent.h"
+#include "engine/ecs/query.h"
+#include "engine/ecs/scene_file.h"
+
+namespace sl {
+
+namespace {
+
+Material material_of(const ModelMaterial& from) {
+    const float emission = std::max({from.emission.x, from.emission.y, from.emission.z});
+    return {.base_colour = from.base_colour, .metallic = from.metallic, .roughness = from.roughness, .specular = from.specular,
+            .emission_colour = emission > 0.0f ? from.emission / emission : vec3(1.0f), .emission = emission};
+}
+
+/// glTF's material of primitives without one.
+ModelMaterial plain_material() { return {}; }
+
+void add_light(World& world, Entity entity, const ModelLight& light) {
+    switch (light.kind) {
+        case ModelLight::Kind::directional:
+            world.add(entity, DirectionalLight{.colour = light.colour, .illuminance = light.intensity});
+            break;
+        case ModelLight::Kind::point:
+            world.add(entity, PointLight{.colour = light.colour, .intensity = light.intensity, .range = light.range});
+            break;
+        case ModelLight::Kind::spot:
+            world.add(entity, SpotLight{.colour = light.colour, .intensity = light.intensity, .range = light.range, .inner_cone = light.inner_cone, .outer_cone = light.outer_cone});
+            break;
+    }
+}
+
+}  // namespace
+
+std::size_t ModelLibrary::loading() const {
+    return static_cast<std::size_t>(std::ranges::count_if(files_, [](const auto& entry) { return entry.second.coming.valid(); }));
+}
+
+std::filesystem::path model_path(const World& world, const ModelFile& file) {
+    const auto* info = world.find_resource<SceneInfo>();
+    return info == nullptr || std::filesystem::path(file.file).is_absolute() ? std::filesystem::path(file.file) : info->path.parent_path() / file.file;
+}
+
+/// One run of load_models.
+class ModelLoader {
+  public:
+    explicit ModelLoader(World& world) : world_(world), library_(world.resource<ModelLibrary>()) {}
+
+    void run() {
+        drop_orphans();
+        std::vector<std::pair<Entity, ModelFile>> wanted;
+        for (auto [entity, file] : Query<const ModelFile>(world_)) {
+            const auto* parts = world_.find<ModelParts>(entity);
+            if (parts == nullptr || !parts->made || parts->made_by != file) wanted.emplace_back(entity, file);
+        }
+        for (const auto& [entity, file] : wanted) show(entity, file);
+    }
+
+  private:
+    using Loaded = ModelLibrary::Loaded;
+
+    void show(Entity entity, const ModelFile& file) {
+        auto* before = world_.find<ModelParts>(entity);
+        if (before != nullptr && before->made_by != file) {
+            drop(*before);
+            before = nullptr;
+        }
+        if (before == nullptr) world_.add(entity, ModelParts{.made_by = file, .made = false, .parts = {}});
+        if (file.file.empty()) return;
+        Loaded& loaded = loaded_file(model_path(world_, file));
+        if (!loaded.fault.empty()) {
+            if (library_.at_once) fail("{}", loaded.fault);
+            return;
+        }
+        if (!loaded.model) return;
+        // Adding may move components, so the parts are kept apart until all are there.
+        std::vector<Entity> parts = make_parts(entity, file, loaded);
+        auto& shown = world_.get<ModelParts>(entity);
+        for (const Entity part : parts) world_.add(part, ModelPart{entity});
+        shown.parts = std::move(parts);
+        shown.made = true;
+    }
+
+    Loaded& loaded_file(const std::filesystem::path& path) {
+        const auto [entry, fresh] = library_.files_.try_emplace(path);
+        Loaded& loaded = entry->second;
+        if (fresh) {
+            loaded.coming = std::async(std::launch::async, [path, reading = library_.reading] {
+                ModelLibrary::Read read{.model = read_gltf(path, reading), .pictures = {}};
+                read.pictures = model_pictures(read.model);
+                return read;
+            });
+        }
+        const bool there = loaded.coming.valid() && (library_.at_once || loaded.coming.wait_for(std::chrono::seconds(0)) == std::future_status::ready);
+        if (!there) return loaded;
+        try {
+            ModelLibrary::Read read = loaded.coming.get();
+            for (const auto* warnings : {&read.model.warnings, &read.pictures.warnings}) {
+                for (const std::string& warning : *warnings) log::warn("{}: {}", path.string(), warning);
+            }
+            loaded.model = std::move(read.model);
+            take_in(loaded, read.pictures);
+        } catch (const std::exception& error) {
+            loaded.fault = error.what();
+            if (!library_.at_once) log::error("{}", loaded.fault);
+        }
+        return loaded;
+    }
+
+    /// Meshes and materials into the world's.
+    void take_in(Loaded& loaded, const ModelPictures& pictures) {
+        Model& model = *loaded.model;
+        auto& table = world_.find_resource<MaterialTable>() != nullptr ? world_.resource<MaterialTable>() : world_.emplace_resource<MaterialTable>();
+        loaded.first_material = static_cast<std::int32_t>(table.entries.size());
+        auto& layers = world_.find_resource<PictureTable>() != nullptr ? world_.resource<PictureTable>() : world_.emplace_resource<PictureTable>();
+        const auto [first_colour, first_data] = add_pictures(layers, pictures);
+        for (std::size_t i = 0; i < model.materials.size(); ++i) {
+            auto params = pictures.materials[i];
+            if (params) params->layers += uvec4(params->layers.x == no_texture ? 0 : first_colour, params->layers.y == no_texture ? 0 : first_colour, params->layers.z == no_texture ? 0 : first_data, 0);
+            table.entries.push_back({.material = material_of(model.materials[i]), .texture_layer = -1, .pictures = params});
+        }
+        table.entries.push_back({material_of(plain_material()), -1});
+        ++table.version;
+        auto& pool = world_.resource<MeshPool>();
+        for (ModelMesh& mesh : model.meshes) {
+            auto& handles = loaded.meshes.emplace_back();
+            for (ModelPrimitive& primitive : mesh.primitives) handles.push_back(pool.insert(std::exchange(primitive.mesh, {})));
+        }
+    }
+
+    std::vector<Entity> make_parts(Entity root, const ModelFile& file, const Loaded& loaded) {
+        const Model& model = *loaded.model;
+        const std::size_t scene = file.scene >= 0 ? static_cast<std::size_t>(file.scene) : model.scene;
+        if (scene >= model.scenes.size()) {
+            log::warn("{}: it has {} scenes, so none is number {}", file.file, model.scenes.size(), file.scene);
+            return {};
+        }
+        std::vector<Entity> parts, nodes(model.nodes.size());
+        const auto places = places_of(model, scene);
+        for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+            if (!places[i]) continue;
+            const ModelNode& node = model.nodes[i];
+            const Entity above = node.parent >= 0 && nodes[static_cast<std::size_t>(node.parent)] ? nodes[static_cast<std::size_t>(node.parent)] : root;
+            nodes[i] = world_.create(Transform{.translation = node.translation, .rotation = node.rotation, .scale = node.scale}, Parent{above});
+            parts.push_back(nodes[i]);
+            if (node.light >= 0) add_light(world_, nodes[i], model.lights[static_cast<std::size_t>(node.light)]);
+            if (node.camera >= 0) {
+                const ModelCamera& camera = model.cameras[static_cast<std::size_t>(node.camera)];
+                world_.add(nodes[i], Camera{.fov_y = camera.fov_y, .near = camera.near, .active = false});
+            }
+            if (node.mesh >= 0) show_mesh(nodes[i], static_cast<std::size_t>(node.mesh), loaded, parts);
+        }
+        return parts;
+    }
+
+    void show_mesh(Entity node, std::size_t number, const Loaded& loaded, std::vector<Entity>& parts) {
+        const auto& primitives = loaded.model->meshes[number].primitives;
+        for (std::size_t i = 0; i < primitives.size(); ++i) {
+            const auto plain = static_cast<std::int32_t>(loaded.model->materials.size());
+            const std::int32_t material = primitives[i].material >= 0 && primitives[i].material < plain ? primitives[i].material : plain;
+            const MeshInstance instance{.mesh = loaded.meshes[number][i], .first_material = loaded.first_material + material};
+            parts.push_back(world_.create(Transform{}, Parent{node}, instance));
+        }
+    }
+
+    void drop(const ModelParts& parts) {
+        for (const Entity part : parts.parts) world_.destroy(part);
+    }
+
+    /// Parts whose entity has lost its model, or is gone.
+    void drop_orphans() {
+        std::vector<Entity> owners, orphans;
+        for (auto [entity, parts] : Query<const ModelParts>(world_)) {
+            if (!world_.has<ModelFile>(entity)) owners.push_back(entity);
+        }
+        for (const Entity owner : owners) world_.remove<ModelParts>(owner);
+        for (auto [entity, part] : Query<const ModelPart>(world_)) {
+            if (!world_.alive(part.owner) || !world_.has<ModelParts>(part.owner)) orphans.push_back(entity);
+        }
+        for (const Entity orphan : orphans) world_.destroy(orphan);
+    }
+
+    World& world_;
+    ModelLibrary& library_;
+};
+
+void load_models(World& world) { ModelLoader(world).run(); }
+
+}  // namespace sl

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <future>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "engine/core/model/gltf_model.h"
+#include "engine/ecs/components/model_file.h"
+#include "engine/ecs/systems/model_pictures.h"
+#include "engine/ecs/world.h"
+
+namespace sl {
+
+/// The model files that entities show, each loaded once; a resource. Files are read on a thread of their own.
+class ModelLibrary {
+  public:
+    /// What is shown waits for its files, as pictures have to; a window shows the rest meanwhile.
+    bool at_once = false;
+    ModelReading reading;
+
+    /// Files that are being read.
+    std::size_t loading() const;
+
+  private:
+    friend class ModelLoader;
+    struct Read {
+        Model model;
+        ModelPictures pictures;
+    };
+    struct Loaded {
+        std::future<Read> coming;
+        std::optional<Model> model;
+        std::string fault;  ///< why there is none
+        std::vector<std::vector<MeshHandle>> meshes;  ///< per mesh, per primitive
+        std::int32_t first_material = 0;              ///< in the MaterialTable; one more than the file has, the plain one last
+    };
+    std::map<std::filesystem::path, Loaded> files_;
+};
+
+/// The entities that show a model, made by load_models below the one that has its ModelFile.
+struct ModelParts {
+    ModelFile made_by;
+    bool made = false;  ///< false while its file is being read, or where it cannot be
+    std::vector<Entity> parts;
+};
+
+/// A part of an entity's model.
+struct ModelPart {
+    Entity owner;
+};
+
+/// Reads the files of new ModelFiles, and makes and removes the entities that show them. Throws Error where the library's
+/// `at_once` is set and a file cannot be shown; else the log tells.
+void load_models(World& world);
+
+/// Where a model's file is.
+std::filesystem::path model_path(const World& world, const ModelFile& file);
+
+}  // namespace sl

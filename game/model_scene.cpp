@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "game/model_scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/core/log.h"
+#include "engine/ecs/components.h"
+#include "engine/ecs/query.h"
+#include "engine/ecs/scene_file.h"
+
+namespace sl {
+
+namespace {
+
+constexpr float fov_y = 1.0f, daylight_ev100 = 14.0f, lamplight_ev100 = 7.0f;
+
+/// Of all meshes, once the systems have run.
+Bounds bounds_of_meshes(World& world) {
+    Bounds bounds;
+    for (auto [entity, instance, transform] : Query<const MeshInstance, const WorldTransform>(world)) {
+        const MeshData* mesh = world.resource<MeshPool>().find(instance.mesh);
+        if (mesh == nullptr || mesh->bounds.empty()) continue;
+        mat4 place(transform.linear);
+        place[3] = vec4(vec3(transform.origin), 1.0f);
+        bounds.add(transformed(mesh->bounds, place));
+    }
+    return bounds;
+}
+
+template <class Light>
+bool any(World& world) {
+    bool found = false;
+    Query<const Light>(world).each([&](const Light&) { found = true; });
+    return found;
+}
+
+bool glows(World& world) {
+    const auto* table = world.find_resource<MaterialTable>();
+    return table != nullptr && std::ranges::any_of(table->entries, [](const MaterialEntry& entry) { return entry.material.emission > 0.0f; });
+}
+
+/// From a little above and to the right, so far off that a ball round everything fits.
+Transform place_to_see(const Bounds& bounds) {
+    const vec3 forward = -glm::normalize(vec3(0.5f, 0.35f, 1.0f));
+    const float radius = std::max(bounds.radius(), 1e-3f);
+    const mat3 turn = glm::transpose(mat3(view_from_world(vec3(0.0f), forward, vec3(0, 1, 0))));
+    return {.translation = dvec3(bounds.centre() - forward * (1.05f * radius / std::sin(0.5f * fov_y))), .rotation = glm::normalize(glm::quat_cast(turn))};
+}
+
+Entity first_camera(World& world) {
+    for (auto [entity, camera] : Query<const Camera>(world)) return entity;
+    return {};
+}
+
+}  // namespace
+
+bool is_model(const std::filesystem::path& path) {
+    std::string ending = path.extension().string();
+    std::ranges::transform(ending, ending.begin(), [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+    return ending == ".gltf" || ending == ".glb";
+}
+
+void show_model(App& app, const std::filesystem::path& path) {
+    World& world = app.world;
+    world.add_resource(SceneInfo{.description = path.filename().string(), .path = path});
+    world.create(Name{"model"}, Transform{}, ModelFile{.file = path.filename().string()});
+    app.schedule.run(world);
+    const Bounds bounds = bounds_of_meshes(world);
+    const bool lit = any<DirectionalLight>(world) || any<SpotLight>(world) || any<PointLight>(world) || glows(world);
+    if (!lit) {
+        log::info("{}: it has no light, so a sun and a sky were added", path.string());
+        world.create(Name{"sun"}, Transform{}, DirectionalLight{.colour = vec3(1.0f, 0.96f, 0.9f)}, SunAngles{.azimuth = 0.6f, .elevation = 0.9f});
+        world.create(Name{"sky"}, SkyLight{});
+    }
+    Entity camera = first_camera(world);
+    if (!camera) {
+        if (!bounds.empty()) log::info("{}: it has no camera, so one was placed that sees all of it", path.string());
+        camera = world.create(Name{"camera"}, bounds.empty() ? Transform{} : place_to_see(bounds), Camera{.fov_y = fov_y});
+        world.get<Camera>(camera).near = std::max(1e-3f * bounds.radius(), 1e-6f);
+    }
+    auto& view = world.get<Camera>(camera);
+    view.active = true;
+    view.auto_exposure = true;
+    view.ev100 = lit ? lamplight_ev100 : daylight_ev100;
+    world.add(camera, GiSettings{make_gi_method("facets")});
+}
+
+}  // namespace sl
