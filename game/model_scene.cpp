@@ -55,12 +55,6 @@ Entity first_camera(World& world) {
 
 }  // namespace
 
-bool is_model(const std::filesystem::path& path) {
-    std::string ending = path.extension().string();
-    std::ranges::transform(ending, ending.begin(), [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-    return ending == ".gltf" || ending == ".glb";
-}
-
 void show_model(App& app, const std::filesystem::path& path) {
     World& world = app.world;
     world.add_resource(SceneInfo{.description = path.filename().string(), .path = path});

@@ -11,6 +11,7 @@
 #include "engine/core/closest_name.h"
 #include "engine/core/error.h"
 #include "engine/core/field_list.h"
+#include "engine/core/model/read_model.h"
 #include "engine/core/text_file.h"
 #include "engine/ecs/query.h"
 #include "engine/ecs/scene_file.h"

@@ -33,7 +33,7 @@ void add_merge_command(const Flags& program);
 /// Needs no context, so no flags.
 void add_compare_command(const Flags& program);
 
-inline constexpr const char* scene_flag_help = "Scene by name (see `secondlight list scenes`), or path of a scene file or a glTF model; the flag may be left out";
+inline constexpr const char* scene_flag_help = "Scene by name (see `secondlight list scenes`), or path of a scene file or of a model (.gltf, .glb, .vox); the flag may be left out";
 /// The flags --scene, --gi and --set that several commands share.
 void add_scene_flags(const Flags& command, SceneChoice& choice);
 /// --gi and --set alone.

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include "engine/core/error.h"
-#include "engine/core/model/gltf_model.h"
+#include "engine/core/model/read_model.h"
 #include "game/app/commands.h"
-#include "game/model_scene.h"
 
 namespace sl {
 
@@ -67,8 +65,7 @@ std::size_t bytes_of(const Model& model) {
 }
 
 int run_inspect(const std::filesystem::path& path) {
-    if (!is_model(path)) fail("{}: inspect looks at glTF models, whose names end in .gltf or .glb", path.string());
-    const Model model = read_gltf(path);
+    const Model model = read_model(path);
     fmt::print("{}\n", path.string());
     print_part("scenes", model.scenes, [&](const Model::Scene& scene) { return fmt::format("{}: {} roots{}", named(scene.name), scene.roots.size(), &scene == &model.scenes[model.scene] ? ", shown" : ""); });
     fmt::print("nodes: {}\n", model.nodes.size());
@@ -91,7 +88,7 @@ int run_inspect(const std::filesystem::path& path) {
 void add_inspect_command(const Flags& program) {
     auto path = std::make_shared<std::filesystem::path>();
     const Flags command = program.command("inspect", "What is in a model file: meshes, materials, lights, bounds, and what of it is ignored and why");
-    command.add("PATH", *path, "A .gltf or .glb file").required();
+    command.add("PATH", *path, "A .gltf, .glb or .vox file").required();
     command.runs([path] { return run_inspect(*path); });
 }
 

@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 
 #include "engine/core/closest_name.h"
 #include "engine/core/error.h"
+#include "engine/core/model/file_bytes.h"
 #include "engine/core/model/gltf_material.h"
 #include "engine/core/model/gltf_mesh.h"
 #include "engine/core/model/gltf_nodes.h"
@@ -39,19 +39,6 @@ struct Folder {
     }
 };
 
-std::vector<unsigned char> bytes_of(const std::filesystem::path& file, std::uint64_t most) {
-    std::error_code error;
-    // A pipe or a device might never end.
-    if (!std::filesystem::is_regular_file(file, error)) fail("{}: {}", file.string(), std::filesystem::exists(file, error) ? "it is no file" : "there is no such file");
-    const std::uint64_t size = std::filesystem::file_size(file, error);
-    if (error || size > most) fail("{}: it is larger than {} MB", file.string(), most >> 20);
-    std::vector<unsigned char> bytes(size);
-    std::ifstream stream(file, std::ios::binary);
-    stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
-    if (!stream || stream.gcount() != static_cast<std::streamsize>(size)) fail("{}: it cannot be read", file.string());
-    return bytes;
-}
-
 bool read_beside(std::vector<unsigned char>* bytes, std::string*, const std::string& file, void* data) {
     auto& folder = *static_cast<Folder*>(data);
     if (!folder.allows(file)) {
@@ -59,7 +46,7 @@ bool read_beside(std::vector<unsigned char>* bytes, std::string*, const std::str
         return false;
     }
     try {
-        *bytes = bytes_of(file, folder.reading.most_bytes);
+        *bytes = file_bytes(file, folder.reading.most_bytes);
         return !bytes->empty();
     } catch (const Error& error) {
         if (folder.refused.empty()) folder.refused = error.what();
@@ -151,7 +138,7 @@ Model model_of(const tinygltf::Model& file) {
 }  // namespace
 
 Model read_gltf(const std::filesystem::path& path, const ModelReading& reading) {
-    const std::vector<unsigned char> bytes = bytes_of(path, std::min(reading.most_bytes, std::uint64_t{0xffffffffu}));
+    const std::vector<unsigned char> bytes = file_bytes(path, std::min(reading.most_bytes, std::uint64_t{0xffffffffu}));
     Folder folder{.path = path.has_parent_path() ? path.parent_path() : ".", .reading = reading, .refused = {}};
     try {
         Model model = model_of(parsed(bytes, folder));

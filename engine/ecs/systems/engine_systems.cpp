@@ -2,6 +2,7 @@
 #include "engine/ecs/systems/engine_systems.h"
 
 #include "engine/ecs/component_registry.h"
+#include "engine/ecs/systems/animate_models.h"
 #include "engine/ecs/systems/build_shapes.h"
 #include "engine/ecs/systems/day_cycle.h"
 #include "engine/ecs/systems/load_models.h"
@@ -35,6 +36,7 @@ void add_engine_systems(Schedule& schedule) {
     schedule.add(Stage::simulate, "sun_direction", &sun_direction);
     schedule.add(Stage::simulate, "day_cycle", &day_cycle);
     schedule.add(Stage::simulate, "load_models", &load_models);
+    schedule.add(Stage::simulate, "animate_models", &animate_models);
     schedule.add(Stage::derive, "add_world_transforms", &add_world_transforms);
     schedule.add(Stage::derive, "world_transform", &world_transform);
     schedule.add(Stage::mesh, "build_shapes", &build_shapes);

@@ -6,6 +6,7 @@
 
 #include "engine/core/error.h"
 #include "engine/core/log.h"
+#include "engine/core/model/model_pose.h"
 #include "engine/ecs/components.h"
 #include "engine/ecs/parent.h"
 #include "engine/ecs/query.h"
@@ -59,7 +60,7 @@ class ModelLoader {
         std::vector<std::pair<Entity, ModelFile>> wanted;
         for (auto [entity, file] : Query<const ModelFile>(world_)) {
             const auto* parts = world_.find<ModelParts>(entity);
-            if (parts == nullptr || !parts->made || parts->made_by != file) wanted.emplace_back(entity, file);
+            if (parts == nullptr || !parts->made || !shows_the_same(parts->made_by, file)) wanted.emplace_back(entity, file);
         }
         for (const auto& [entity, file] : wanted) show(entity, file);
     }
@@ -67,26 +68,18 @@ class ModelLoader {
   private:
     using Loaded = ModelLibrary::Loaded;
 
+    static bool shows_the_same(const ModelFile& a, const ModelFile& b) { return a.file == b.file && a.scene == b.scene; }
+
     void show(Entity entity, const ModelFile& file) {
-        auto* before = world_.find<ModelParts>(entity);
-        if (before != nullptr && before->made_by != file) {
-            drop(*before);
-            before = nullptr;
-        }
-        if (before == nullptr) world_.add(entity, ModelParts{.made_by = file, .made = false, .parts = {}});
+        if (const auto* before = world_.find<ModelParts>(entity); before != nullptr && !shows_the_same(before->made_by, file)) drop(entity);
+        if (!world_.has<ModelParts>(entity)) world_.add(entity, ModelParts{.made_by = file});
         if (file.file.empty()) return;
         Loaded& loaded = loaded_file(model_path(world_, file));
-        if (!loaded.fault.empty()) {
-            if (library_.at_once) fail("{}", loaded.fault);
-            return;
-        }
+        if (!loaded.fault.empty() && library_.at_once) fail("{}", loaded.fault);
         if (!loaded.model) return;
-        // Adding may move components, so the parts are kept apart until all are there.
-        std::vector<Entity> parts = make_parts(entity, file, loaded);
-        auto& shown = world_.get<ModelParts>(entity);
-        for (const Entity part : parts) world_.add(part, ModelPart{entity});
-        shown.parts = std::move(parts);
-        shown.made = true;
+        // Adding components moves others, so this one is put in place when all are there.
+        ModelParts parts = made_parts(entity, file, loaded);
+        world_.get<ModelParts>(entity) = std::move(parts);
     }
 
     Loaded& loaded_file(const std::filesystem::path& path) {
@@ -94,7 +87,7 @@ class ModelLoader {
         Loaded& loaded = entry->second;
         if (fresh) {
             loaded.coming = std::async(std::launch::async, [path, reading = library_.reading] {
-                ModelLibrary::Read read{.model = read_gltf(path, reading), .pictures = {}};
+                ModelLibrary::Read read{.model = read_model(path, reading), .pictures = {}};
                 read.pictures = model_pictures(read.model);
                 return read;
             });
@@ -106,8 +99,8 @@ class ModelLoader {
             for (const auto* warnings : {&read.model.warnings, &read.pictures.warnings}) {
                 for (const std::string& warning : *warnings) log::warn("{}: {}", path.string(), warning);
             }
-            loaded.model = std::move(read.model);
-            take_in(loaded, read.pictures);
+            take_in(loaded, read.model, read.pictures);
+            loaded.model = std::make_shared<const Model>(std::move(read.model));
         } catch (const std::exception& error) {
             loaded.fault = error.what();
             if (!library_.at_once) log::error("{}", loaded.fault);
@@ -116,8 +109,7 @@ class ModelLoader {
     }
 
     /// Meshes and materials into the world's.
-    void take_in(Loaded& loaded, const ModelPictures& pictures) {
-        Model& model = *loaded.model;
+    void take_in(Loaded& loaded, Model& model, const ModelPictures& pictures) {
         auto& table = world_.find_resource<MaterialTable>() != nullptr ? world_.resource<MaterialTable>() : world_.emplace_resource<MaterialTable>();
         loaded.first_material = static_cast<std::int32_t>(table.entries.size());
         auto& layers = world_.find_resource<PictureTable>() != nullptr ? world_.resource<PictureTable>() : world_.emplace_resource<PictureTable>();
@@ -132,47 +124,63 @@ class ModelLoader {
         auto& pool = world_.resource<MeshPool>();
         for (ModelMesh& mesh : model.meshes) {
             auto& handles = loaded.meshes.emplace_back();
-            for (ModelPrimitive& primitive : mesh.primitives) handles.push_back(pool.insert(std::exchange(primitive.mesh, {})));
+            // Each that is moved is a copy of what stays here.
+            for (ModelPrimitive& primitive : mesh.primitives) handles.push_back(deforms(primitive) ? MeshHandle{} : pool.insert(std::exchange(primitive.mesh, {})));
         }
     }
 
-    std::vector<Entity> make_parts(Entity root, const ModelFile& file, const Loaded& loaded) {
+    ModelParts made_parts(Entity root, const ModelFile& file, const Loaded& loaded) {
         const Model& model = *loaded.model;
+        ModelParts parts{.made_by = file, .made = true, .model = loaded.model, .nodes = std::vector<Entity>(model.nodes.size())};
         const std::size_t scene = file.scene >= 0 ? static_cast<std::size_t>(file.scene) : model.scene;
-        if (scene >= model.scenes.size()) {
-            log::warn("{}: it has {} scenes, so none is number {}", file.file, model.scenes.size(), file.scene);
-            return {};
-        }
-        std::vector<Entity> parts, nodes(model.nodes.size());
+        if (scene >= model.scenes.size()) log::warn("{}: it has {} scenes, so none is number {}", file.file, model.scenes.size(), file.scene);
         const auto places = places_of(model, scene);
         for (std::size_t i = 0; i < model.nodes.size(); ++i) {
             if (!places[i]) continue;
             const ModelNode& node = model.nodes[i];
-            const Entity above = node.parent >= 0 && nodes[static_cast<std::size_t>(node.parent)] ? nodes[static_cast<std::size_t>(node.parent)] : root;
-            nodes[i] = world_.create(Transform{.translation = node.translation, .rotation = node.rotation, .scale = node.scale}, Parent{above});
-            parts.push_back(nodes[i]);
-            if (node.light >= 0) add_light(world_, nodes[i], model.lights[static_cast<std::size_t>(node.light)]);
+            const Entity above = node.parent >= 0 && parts.nodes[static_cast<std::size_t>(node.parent)] ? parts.nodes[static_cast<std::size_t>(node.parent)] : root;
+            const Entity entity = parts.nodes[i] = world_.create(Transform{.translation = node.translation, .rotation = node.rotation, .scale = node.scale}, Parent{above}, ModelPart{root});
+            if (node.light >= 0) add_light(world_, entity, model.lights[static_cast<std::size_t>(node.light)]);
             if (node.camera >= 0) {
                 const ModelCamera& camera = model.cameras[static_cast<std::size_t>(node.camera)];
-                world_.add(nodes[i], Camera{.fov_y = camera.fov_y, .near = camera.near, .active = false});
+                world_.add(entity, Camera{.fov_y = camera.fov_y, .near = camera.near, .active = false});
             }
-            if (node.mesh >= 0) show_mesh(nodes[i], static_cast<std::size_t>(node.mesh), loaded, parts);
+            if (node.mesh >= 0) show_mesh(root, i, loaded, parts);
         }
         return parts;
     }
 
-    void show_mesh(Entity node, std::size_t number, const Loaded& loaded, std::vector<Entity>& parts) {
-        const auto& primitives = loaded.model->meshes[number].primitives;
+    void show_mesh(Entity root, std::size_t number, const Loaded& loaded, ModelParts& parts) {
+        const ModelNode& node = loaded.model->nodes[number];
+        const auto mesh = static_cast<std::size_t>(node.mesh);
+        const auto& primitives = loaded.model->meshes[mesh].primitives;
         for (std::size_t i = 0; i < primitives.size(); ++i) {
             const auto plain = static_cast<std::int32_t>(loaded.model->materials.size());
             const std::int32_t material = primitives[i].material >= 0 && primitives[i].material < plain ? primitives[i].material : plain;
-            const MeshInstance instance{.mesh = loaded.meshes[number][i], .first_material = loaded.first_material + material};
-            parts.push_back(world_.create(Transform{}, Parent{node}, instance));
+            const bool own = deforms(primitives[i]);
+            const MeshHandle handle = own ? world_.resource<MeshPool>().insert(primitives[i].mesh) : loaded.meshes[mesh][i];
+            // A skin says where its mesh is, whatever its node does.
+            const bool skinned = node.skin >= 0 && !primitives[i].joints.empty();
+            const Entity entity = world_.create(Transform{}, Parent{skinned ? root : parts.nodes[number]}, MeshInstance{.mesh = handle, .first_material = loaded.first_material + material},
+                                                ModelPart{root, own ? handle : MeshHandle{}});
+            if (own) parts.posed.push_back({entity, number, i});
         }
     }
 
-    void drop(const ModelParts& parts) {
-        for (const Entity part : parts.parts) world_.destroy(part);
+    void drop(Entity owner) {
+        std::vector<Entity> parts;
+        for (auto [entity, part] : Query<const ModelPart>(world_)) {
+            if (part.owner == owner) parts.push_back(entity);
+        }
+        destroy(parts);
+        world_.remove<ModelParts>(owner);
+    }
+
+    void destroy(const std::vector<Entity>& parts) {
+        for (const Entity part : parts) {
+            if (const MeshHandle own = world_.get<ModelPart>(part).own_mesh) world_.resource<MeshPool>().erase(own);
+            world_.destroy(part);
+        }
     }
 
     /// Parts whose entity has lost its model, or is gone.
@@ -185,7 +193,7 @@ class ModelLoader {
         for (auto [entity, part] : Query<const ModelPart>(world_)) {
             if (!world_.alive(part.owner) || !world_.has<ModelParts>(part.owner)) orphans.push_back(entity);
         }
-        for (const Entity orphan : orphans) world_.destroy(orphan);
+        destroy(orphans);
     }
 
     World& world_;

@@ -6,7 +6,7 @@
 #include <memory>
 #include <optional>
 
-#include "engine/core/model/gltf_model.h"
+#include "engine/core/model/read_model.h"
 #include "engine/ecs/components/model_file.h"
 #include "engine/ecs/systems/model_pictures.h"
 #include "engine/ecs/world.h"
@@ -31,7 +31,7 @@ class ModelLibrary {
     };
     struct Loaded {
         std::future<Read> coming;
-        std::optional<Model> model;
+        std::shared_ptr<const Model> model;
         std::string fault;  ///< why there is none
         std::vector<std::vector<MeshHandle>> meshes;  ///< per mesh, per primitive
         std::int32_t first_material = 0;              ///< in the MaterialTable; one more than the file has, the plain one last
@@ -43,12 +43,21 @@ class ModelLibrary {
 struct ModelParts {
     ModelFile made_by;
     bool made = false;  ///< false while its file is being read, or where it cannot be
-    std::vector<Entity> parts;
+    std::shared_ptr<const Model> model{};
+    std::vector<Entity> nodes{};  ///< by the model's number; null for those of other scenes
+    /// A mesh that joints or morphs move, which is therefore this entity's own.
+    struct Posed {
+        Entity entity;
+        std::size_t node, primitive;
+    };
+    std::vector<Posed> posed{};
+    std::optional<double> posed_at{};  ///< s: as the animation last was
 };
 
 /// A part of an entity's model.
 struct ModelPart {
     Entity owner;
+    MeshHandle own_mesh{};  ///< that goes with it
 };
 
 /// Reads the files of new ModelFiles, and makes and removes the entities that show them. Throws Error where the library's

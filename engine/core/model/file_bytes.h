@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+namespace sl {
+
+/// All bytes of a file. Throws Error that names it where it is missing, no regular file (a pipe or a device might never end), larger
+/// than `most`, or cannot be read.
+std::vector<unsigned char> file_bytes(const std::filesystem::path& file, std::uint64_t most);
+
+}  // namespace sl

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "engine/core/model/model_pose.h"
+
+#include <gtest/gtest.h>
+
+namespace sl {
+namespace {
+
+/// A chain of two nodes, the second one metre above the first.
+Model chain() {
+    Model model;
+    model.nodes = {ModelNode{}, ModelNode{.parent = 0, .translation = dvec3(0, 1, 0)}};
+    model.scenes.push_back({.name = "", .roots = {0}});
+    return model;
+}
+
+ModelAnimation moving(ModelChannel channel) { return {.name = "", .channels = {channel}, .length = channel.times.back()}; }
+
+TEST(ModelPose, StepsLinesAndSplinesGoThroughTheirKeys) {
+    const Model model = chain();
+    const auto x_at = [&](ModelChannel::Between between, std::vector<float> values, double time) {
+        return pose_at(model, moving({.node = 1, .path = ModelChannel::Path::translation, .between = between, .times = {0, 2}, .values = std::move(values), .width = 3}), time).nodes[1].translation.x;
+    };
+    const std::vector<float> keys{0, 0, 0, 4, 0, 0}, slopes{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 4, 0, 0, 0, 0, 0};
+    EXPECT_EQ(x_at(ModelChannel::Between::step, keys, 1.5), 0.0);
+    EXPECT_EQ(x_at(ModelChannel::Between::linear, keys, 1.5), 3.0);
+    EXPECT_NEAR(x_at(ModelChannel::Between::cubic, slopes, 1.0), 2.0, 1e-6);
+    EXPECT_NEAR(x_at(ModelChannel::Between::cubic, slopes, 0.5), 4.0 * 0.15625, 1e-6);
+    EXPECT_EQ(x_at(ModelChannel::Between::linear, keys, 3.0), 2.0) << "it begins anew";
+}
+
+TEST(ModelPose, RotationsTurnAtAnEvenSpeed) {
+    const Model model = chain();
+    const auto animation = moving({.node = 0, .path = ModelChannel::Path::rotation, .between = ModelChannel::Between::linear, .times = {0, 1}, .values = {0, 0, 0, 1, 0, 0, 0.70710678f, 0.70710678f}, .width = 4});
+    const quat third = pose_at(model, animation, 1.0 / 3.0).nodes[0].rotation;
+    EXPECT_NEAR(2.0f * std::atan2(third.z, third.w), glm::radians(30.0f), 1e-4f);
+}
+
+TEST(ModelPose, JointsMoveVerticesAndNormals) {
+    Model model = chain();
+    model.skins.push_back({.joints = {0, 1}, .joint_from_mesh = {mat4(1.0f), mat4(1.0f)}});
+    model.skins[0].joint_from_mesh[1][3] = vec4(0, -1, 0, 1);
+    ModelPrimitive primitive;
+    primitive.mesh.vertices = {Vertex{.position = vec3(0, 2, 0), .normal = pack_normal(vec3(0, 1, 0))}};
+    primitive.joints = {{.joints = {1, 0, 0, 0}, .weights = vec4(1, 0, 0, 0)}};
+    ModelPose pose = rest_of(model);
+    MeshData mesh;
+    deform(primitive, primitive.mesh, {}, joint_matrices(model, model.skins[0], pose), mesh);
+    EXPECT_LT(glm::length(mesh.vertices[0].position - vec3(0, 2, 0)), 1e-6f) << "at rest nothing moves";
+    // The second joint turns by a quarter round z.
+    pose.nodes[1].rotation = glm::angleAxis(glm::pi<float>() / 2.0f, vec3(0, 0, 1));
+    deform(primitive, primitive.mesh, {}, joint_matrices(model, model.skins[0], pose), mesh);
+    EXPECT_LT(glm::length(mesh.vertices[0].position - vec3(-1, 1, 0)), 1e-5f);
+    EXPECT_LT(glm::length(unpack_normal(mesh.vertices[0].normal) - vec3(-1, 0, 0)), 1e-3f);
+}
+
+TEST(ModelPose, MorphsAddUp) {
+    ModelPrimitive primitive;
+    primitive.mesh.vertices = {Vertex{.position = vec3(1, 0, 0), .normal = pack_normal(vec3(0, 1, 0))}};
+    primitive.morphs = {{.positions = {vec3(0, 2, 0)}, .normals = {}}, {.positions = {vec3(0, 0, 4)}, .normals = {}}};
+    MeshData mesh;
+    deform(primitive, primitive.mesh, {0.5f, 0.25f}, {}, mesh);
+    EXPECT_EQ(mesh.vertices[0].position, vec3(1, 1, 1));
+    EXPECT_EQ(mesh.bounds.low, vec3(1, 1, 1));
+}
+
+}  // namespace
+}  // namespace sl
