@@ -38,11 +38,9 @@ struct OpenPicture {
         const char* name = name_by_magic(image.bytes);
         if (name == nullptr) fail("{}: it is no PNG, JPEG or WebP", image.name);
         OIIO::ImageSpec config;
-        OIIO::Filesystem::IOProxy* proxy = &reader;
-        config.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
         // Colours are not multiplied by their alpha.
         config.attribute("oiio:UnassociatedAlpha", 1);
-        input = OIIO::ImageInput::open(name, &config);
+        input = OIIO::ImageInput::open(name, &config, &reader);
         if (input == nullptr) fail("{}: it cannot be read as a picture: {}", image.name, for_message(OIIO::geterror()));
         const OIIO::ImageSpec& spec = input->spec();
         const bool sane = spec.width > 0 && spec.height > 0 && spec.nchannels > 0 && spec.width <= static_cast<int>(widest_picture) && spec.height <= static_cast<int>(widest_picture);

@@ -305,7 +305,7 @@ Model model_of(Contents& contents) {
         const vec3 low = contents.nodes.empty() ? vec3(0.0f) : -glm::floor(0.5f * vec3(grid.size));
         model.meshes.push_back({.name = "", .primitives = {ModelPrimitive{.mesh = voxel_mesh(grid, low), .material = 0}}, .weights = {}});
     }
-    if (model.meshes.empty()) model.warnings.push_back("there are no voxels in it");
+    if (model.meshes.empty()) model.warnings.emplace_back("there are no voxels in it");
     Assembler(contents, model).place_all();
     return model;
 }
