@@ -102,6 +102,8 @@ class FacetCache {
     void mend(const Deadline& deadline);
     void look_again_at_splits();
     void forget_unseen();
+    /// Of all corners that are there.
+    std::vector<const GatherPoint*> gather_points() const;
     void forget_empty_groups();
     void distrust_guide(std::uint32_t group);
     /// Returns what the last look returned, 0 where there was none.

@@ -161,6 +161,7 @@ std::vector<Bounds> FacetCache::change_surfaces(const RenderScene& scene, const 
     // Lights are another change.
     world_->resurface(scene);
     patches_->change(boxes);
+    if (patches_->many_gone()) patches_->bury_gone(gather_points());
     const auto now = world_->emitters.balls();
     std::vector<Emitters::Ball> glowing;
     std::ranges::copy_if(before, std::back_inserter(glowing), [&](const auto& ball) { return std::ranges::find(now, ball) == now.end(); });
@@ -275,18 +276,21 @@ void FacetCache::forget_unseen() {
     std::erase_if(unsplit_, [&](FacetName name) { return !facets_.contains(name); });
     bury_released();
     forget_empty_groups();
-    std::vector<const GatherPoint*> points;
-    std::size_t kept = 0;
-    for (const Corner& corner : corners_) {
-        if (corner.gone) continue;
-        points.push_back(&corner.at);
-        kept += corner.at.memory();
-    }
+    const std::vector<const GatherPoint*> points = gather_points();
     patches_->forget_all_but_seen_from(points);
-    memory_ = kept + patches_->memory();
+    memory_ = patches_->memory();
+    for (const GatherPoint* point : points) memory_ += point->memory();
     // Twice as much: so rarely that all of this costs little of what has come since.
     most_memory_ = 2 * memory_;
     table_is_old_ = shown_are_old_ = true;
+}
+
+std::vector<const GatherPoint*> FacetCache::gather_points() const {
+    std::vector<const GatherPoint*> points;
+    for (const Corner& corner : corners_) {
+        if (!corner.gone) points.push_back(&corner.at);
+    }
+    return points;
 }
 
 void FacetCache::forget_empty_groups() {

@@ -77,6 +77,11 @@ class Patches {
 
     /// Forgets all patches from which no light comes to these points, straight or reflected.
     void forget_all_but_seen_from(std::span<const GatherPoint* const> points);
+    /// Whether so many patches are gone, and may still be linked to, that it pays to look.
+    bool many_gone() const;
+    /// Places of patches that are gone, and that neither these points nor other patches are linked to, can be taken. Changes that come
+    /// without end are never all followed, and `forget_changes` does not happen.
+    void bury_gone(std::span<const GatherPoint* const> points);
     /// Bytes, about.
     std::size_t memory() const;
 
@@ -206,6 +211,8 @@ class Patches {
     std::optional<Opening> opening_beside(const GatherPoint& point, const Link& link) const;
     /// Its surface is no longer there, or nothing sees it.
     void remove(std::uint32_t patch);
+    /// Of those that are gone; one per patch, not 0: it stays.
+    void bury_gone_but(const std::vector<char>& linked);
     void remove_from_lists();
     void remove_from_cell(std::uint32_t patch);
     std::uint32_t find(const SurfacePoint& point, float level) const;

@@ -14,6 +14,8 @@ namespace {
 
 /// Changes that some links may not know of.
 constexpr std::size_t most_unfollowed = 64, few_unfollowed = 16;
+/// Patches that are gone, of which nothing is worth a look.
+constexpr std::size_t few_gone = 4096;
 /// What packing may turn a direction by, rad.
 constexpr float packed_angle = 0.004f;
 
@@ -180,10 +182,30 @@ void Patches::forget_all_but_seen_from(std::span<const GatherPoint* const> point
         remove(id);
         free_.push_back(id);
     }
-    const auto unlinked = std::ranges::partition(gone_, [&](std::uint32_t id) { return seen[id] != 0; });
+    bury_gone_but(seen);
+    remove_from_lists();
+}
+
+bool Patches::many_gone() const { return gone_.size() > std::max(few_gone, patches_.size() / 4); }
+
+void Patches::bury_gone(std::span<const GatherPoint* const> points) {
+    std::vector<char> linked(patches_.size());
+    const auto mark = [&](const GatherPoint& point) {
+        for (const std::vector<Link>* links : {&point.by_chance, &point.guided}) {
+            for (const Link& link : *links) {
+                if (link.patch < nothing) linked[link.patch] = 1;
+            }
+        }
+    };
+    for (const GatherPoint* point : points) mark(*point);
+    for (const Patch& patch : patches_) mark(patch.middle);
+    bury_gone_but(linked);
+}
+
+void Patches::bury_gone_but(const std::vector<char>& linked) {
+    const auto unlinked = std::ranges::partition(gone_, [&](std::uint32_t id) { return linked[id] != 0; });
     free_.insert(free_.end(), unlinked.begin(), unlinked.end());
     gone_.erase(unlinked.begin(), unlinked.end());
-    remove_from_lists();
 }
 
 bool Patches::forget_shadows(Patch& patch, vec3 middle, const Bounds& box, std::span<const std::uint32_t> lights) const {
