@@ -65,7 +65,7 @@ TEST(ComponentRegistry, KnowsTheEnginesComponents) {
     std::vector<std::string> names;
     for (const ComponentType& type : registry.types()) names.push_back(type.name);
     EXPECT_EQ(names, (std::vector<std::string>{"transform", "camera", "gi", "directional_light", "sun", "day_cycle",
-                                               "spot_light", "point_light", "sky", "shape", "material"}));
+                                               "spot_light", "point_light", "sky", "shape", "material", "model"}));
     EXPECT_EQ(registry.find("tree"), nullptr);
     EXPECT_THROW(registry.get("tree", "here"), Error);
 }

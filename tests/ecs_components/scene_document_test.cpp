@@ -13,7 +13,7 @@ TEST_F(SceneDocuments, ErrorsSayWhatIsWrong) {
     EXPECT_EQ(error_of_entities(R"([{"name": "a", "spotlight": {}}])"),
               "s.json: /entities/0: there is no component 'spotlight'; did you mean 'spot_light'? Known: "
               "transform, "
-              "camera, gi, directional_light, sun, day_cycle, spot_light, point_light, sky, shape, material");
+              "camera, gi, directional_light, sun, day_cycle, spot_light, point_light, sky, shape, material, model");
     EXPECT_EQ(error_of_entities(R"([{"name": "a", "spot_light": {"outer_cone": 3}}])"),
               "s.json: /entities/0/spot_light/outer_cone: is 3, must be 0.001 to 1.5533 rad");
     EXPECT_EQ(

@@ -114,6 +114,7 @@ tinygltf::Model parsed(const std::vector<unsigned char>& bytes, Folder& folder) 
         error = fmt::format("it is no glTF file ({})", thrown.what());
     }
     if (!fine) fail("{}", folder.refused.empty() ? first_line(error) : folder.refused);
+    if (!file.asset.version.starts_with("2.")) fail("/asset/version: it is '{}', and version 2.0 can be read", for_message(file.asset.version));
     return file;
 }
 

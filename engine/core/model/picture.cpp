@@ -19,14 +19,14 @@ namespace sl {
 
 namespace {
 
-/// A name by which OpenImageIO knows the format, told by the file's first bytes.
-const char* name_by_magic(const std::vector<std::byte>& bytes) {
+/// The format as OpenImageIO calls it, told by the file's first bytes.
+const char* format_of(const std::vector<std::byte>& bytes) {
     const auto begins = [&](std::size_t at, std::string_view magic) {
         return bytes.size() >= at + magic.size() && std::equal(magic.begin(), magic.end(), bytes.begin() + static_cast<std::ptrdiff_t>(at), [](char a, std::byte b) { return static_cast<std::byte>(a) == b; });
     };
-    if (begins(0, "\x89PNG")) return "picture.png";
-    if (begins(0, "\xff\xd8")) return "picture.jpg";
-    if (begins(8, "WEBP")) return "picture.webp";
+    if (begins(0, "\x89PNG")) return "png";
+    if (begins(0, "\xff\xd8")) return "jpeg";
+    if (begins(8, "WEBP")) return "webp";
     return nullptr;
 }
 
@@ -35,13 +35,15 @@ struct OpenPicture {
     std::unique_ptr<OIIO::ImageInput> input;
 
     explicit OpenPicture(const ModelImage& image) : reader(const_cast<std::byte*>(image.bytes.data()), image.bytes.size()) {
-        const char* name = name_by_magic(image.bytes);
-        if (name == nullptr) fail("{}: it is no PNG, JPEG or WebP", image.name);
-        OIIO::ImageSpec config;
+        const char* format = format_of(image.bytes);
+        if (format == nullptr) fail("{}: it is no PNG, JPEG or WebP", image.name);
+        OIIO::ImageSpec config, opened;
         // Colours are not multiplied by their alpha.
         config.attribute("oiio:UnassociatedAlpha", 1);
-        input = OIIO::ImageInput::open(name, &config, &reader);
-        if (input == nullptr) fail("{}: it cannot be read as a picture: {}", image.name, for_message(OIIO::geterror()));
+        input = OIIO::ImageInput::create(format);
+        if (input == nullptr || !input->set_ioproxy(&reader) || !input->open(image.name, opened, config)) {
+            fail("{}: it cannot be read as a picture: {}", image.name, for_message(input == nullptr ? OIIO::geterror() : input->geterror()));
+        }
         const OIIO::ImageSpec& spec = input->spec();
         const bool sane = spec.width > 0 && spec.height > 0 && spec.nchannels > 0 && spec.width <= static_cast<int>(widest_picture) && spec.height <= static_cast<int>(widest_picture);
         if (!sane || static_cast<std::uint64_t>(spec.width) * static_cast<std::uint64_t>(spec.height) > most_picture_pixels) {
