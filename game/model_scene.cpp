@@ -35,9 +35,18 @@ bool any(World& world) {
     return found;
 }
 
+/// Whether anything that is shown does: blocks that glow are in the table of every world.
 bool glows(World& world) {
-    const auto* table = world.find_resource<MaterialTable>();
-    return table != nullptr && std::ranges::any_of(table->entries, [](const MaterialEntry& entry) { return entry.material.emission > 0.0f; });
+    const auto& entries = world.resource<MaterialTable>().entries;
+    bool found = false;
+    Query<const MeshInstance>(world).each([&](const MeshInstance& instance) {
+        const auto row = static_cast<std::size_t>(std::max(instance.first_material, 0));
+        for (const Vertex& vertex : world.resource<MeshPool>().at(instance.mesh).vertices) {
+            const std::size_t used = row + vertex.material;
+            found |= used < entries.size() && entries[used].material.emission > 0.0f;
+        }
+    });
+    return found;
 }
 
 /// From a little above and to the right, so far off that a ball round everything fits.

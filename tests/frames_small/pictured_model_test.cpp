@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Surfaces with pictures, holes and two sides: what is drawn is what is traced.
 #include "engine/core/image.h"
+#include "engine/ecs/query.h"
 #include "engine/render/capture.h"
 #include "engine/render/gl/context.h"
 #include "engine/render/trace/trace_scene.h"
@@ -95,6 +96,18 @@ TEST_F(PicturedModelTest, FromBehindItIsSeenWhereItHasTwoSidesAlone) {
     const auto one = write("one.gltf");
     for (const vec3 colour : drawn(one, -1.0)) EXPECT_EQ(colour, vec3(0.0f));
     for (const vec3 colour : traced(one, -1.0)) EXPECT_EQ(colour, vec3(0.0f));
+}
+
+TEST_F(PicturedModelTest, AModelWithoutLightGetsASunAndOneThatGlowsDoesNot) {
+    const auto suns = [&](const std::filesystem::path& file) {
+        App app = open_scene({.scene = file.string()});
+        std::size_t count = 0;
+        Query<const DirectionalLight>(app.world).each([&](const DirectionalLight&) { ++count; });
+        return count;
+    };
+    EXPECT_EQ(suns(square_with_picture("OPAQUE", false)), 1u);
+    json["materials"][0]["emissiveFactor"] = {1, 1, 1};
+    EXPECT_EQ(suns(write("glows.gltf")), 0u);
 }
 
 TEST_F(PicturedModelTest, OpaqueMaterialsHaveNoHoles) {
