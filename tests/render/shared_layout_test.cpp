@@ -10,6 +10,7 @@
 #include "shared/facets.h"
 #include "shared/frame.h"
 #include "shared/lights.h"
+#include "shared/pictures.h"
 #include "shared/rsm.h"
 #include "shared/scene.h"
 #include "shared/view.h"
@@ -41,6 +42,8 @@ const std::vector<SharedStruct>& shared_structs() {
          {MEMBER(DrawParams, world_from_local), MEMBER(DrawParams, normal_from_local), MEMBER(DrawParams, first_material)}},
         {"MaterialParams", "scene", sizeof(MaterialParams),
          {MEMBER(MaterialParams, base_colour), MEMBER(MaterialParams, emission), MEMBER(MaterialParams, specular), MEMBER(MaterialParams, texture)}},
+        {"PictureParams", "pictures", sizeof(PictureParams),
+         {MEMBER(PictureParams, layers), MEMBER(PictureParams, axes), MEMBER(PictureParams, place), MEMBER(PictureParams, alpha)}},
         {"LightParams", "lights", sizeof(LightParams),
          {MEMBER(LightParams, map_clip_from_world), MEMBER(LightParams, position), MEMBER(LightParams, direction), MEMBER(LightParams, intensity),
           MEMBER(LightParams, cone), MEMBER(LightParams, kind), MEMBER(LightParams, tiles)}},

@@ -30,27 +30,30 @@ const char* format_of(const std::vector<std::byte>& bytes) {
     return nullptr;
 }
 
+/// A picture whose header has been read; the image's bytes must outlive it.
 struct OpenPicture {
-    OIIO::Filesystem::IOMemReader reader;
+    std::unique_ptr<OIIO::Filesystem::IOMemReader> reader;
     std::unique_ptr<OIIO::ImageInput> input;
-
-    explicit OpenPicture(const ModelImage& image) : reader(const_cast<std::byte*>(image.bytes.data()), image.bytes.size()) {
-        const char* format = format_of(image.bytes);
-        if (format == nullptr) fail("{}: it is no PNG, JPEG or WebP", image.name);
-        OIIO::ImageSpec config, opened;
-        // Colours are not multiplied by their alpha.
-        config.attribute("oiio:UnassociatedAlpha", 1);
-        input = OIIO::ImageInput::create(format);
-        if (input == nullptr || !input->set_ioproxy(&reader) || !input->open(image.name, opened, config)) {
-            fail("{}: it cannot be read as a picture: {}", image.name, for_message(input == nullptr ? OIIO::geterror() : input->geterror()));
-        }
-        const OIIO::ImageSpec& spec = input->spec();
-        const bool sane = spec.width > 0 && spec.height > 0 && spec.nchannels > 0 && spec.width <= static_cast<int>(widest_picture) && spec.height <= static_cast<int>(widest_picture);
-        if (!sane || static_cast<std::uint64_t>(spec.width) * static_cast<std::uint64_t>(spec.height) > most_picture_pixels) {
-            fail("{}: a picture of {} x {} is more than is read", image.name, spec.width, spec.height);
-        }
-    }
 };
+
+OpenPicture open_picture(const ModelImage& image) {
+    const char* format = format_of(image.bytes);
+    if (format == nullptr) fail("{}: it is no PNG, JPEG or WebP", image.name);
+    OpenPicture open{.reader = std::make_unique<OIIO::Filesystem::IOMemReader>(const_cast<std::byte*>(image.bytes.data()), image.bytes.size()), .input = OIIO::ImageInput::create(format)};
+    if (open.input == nullptr) fail("{}: pictures of this format ({}) cannot be read here", image.name, format);
+    OIIO::ImageSpec config, spec;
+    // Colours are not multiplied by their alpha.
+    config.attribute("oiio:UnassociatedAlpha", 1);
+    if (!open.input->set_ioproxy(open.reader.get()) || !open.input->open(image.name, spec, config)) {
+        const std::string why = for_message(open.input->geterror());
+        fail("{}: it cannot be read as a picture: {}", image.name, why);
+    }
+    const bool sane = spec.width > 0 && spec.height > 0 && spec.nchannels > 0 && spec.width <= static_cast<int>(widest_picture) && spec.height <= static_cast<int>(widest_picture);
+    if (!sane || static_cast<std::uint64_t>(spec.width) * static_cast<std::uint64_t>(spec.height) > most_picture_pixels) {
+        fail("{}: a picture of {} x {} is more than is read", image.name, spec.width, spec.height);
+    }
+    return open;
+}
 
 float decoded(std::uint8_t value) {
     static const std::array<float, 256> table = [] {
@@ -77,18 +80,21 @@ OIIO::ImageBuf resized(const OIIO::ImageBuf& from, std::uint32_t size, bool smoo
 }  // namespace
 
 uvec2 picture_size(const ModelImage& image) {
-    const OpenPicture open(image);
+    const OpenPicture open = open_picture(image);
     return {open.input->spec().width, open.input->spec().height};
 }
 
 Picture decode_picture(const ModelImage& image) {
-    const OpenPicture open(image);
+    const OpenPicture open = open_picture(image);
     const OIIO::ImageSpec spec = open.input->spec();
     const auto channels = static_cast<std::size_t>(spec.nchannels);
     Picture picture{.width = static_cast<std::uint32_t>(spec.width), .height = static_cast<std::uint32_t>(spec.height), .pixels = {}};
     const std::size_t count = std::size_t{picture.width} * picture.height;
     std::vector<std::uint8_t> read(count * channels);
-    if (!open.input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, read.data())) fail("{}: it cannot be decoded: {}", image.name, for_message(open.input->geterror()));
+    if (!open.input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, read.data())) {
+        const std::string why = for_message(open.input->geterror());
+        fail("{}: it cannot be decoded: {}", image.name, why);
+    }
     picture.pixels.resize(count * 4);
     for (std::size_t i = 0; i < count; ++i) {
         const std::uint8_t* from = &read[i * channels];
