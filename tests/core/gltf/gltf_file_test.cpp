@@ -1,0 +1,4 @@
+// SPDX-License-Identifier: MIT
+#include "engine/core/gltf/gltf_file.h"
+
+#include <gtest/gtest.h>
