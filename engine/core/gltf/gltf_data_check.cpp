@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/core/gltf/gltf_data_check.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "engine/core/gltf/gltf_key_check.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/core/gltf/gltf_file.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <string_view>
 
@@ -10,8 +11,8 @@ namespace sl {
 
 namespace {
 
-constexpr std::uint32_t magic = 0x46546C67;      // "glTF"
-constexpr std::uint32_t json_chunk = 0x4E4F534A;  // "JSON"
+constexpr std::uint32_t magic = 0x46546C67;         // "glTF"
+constexpr std::uint32_t json_chunk = 0x4E4F534A;    // "JSON"
 constexpr std::uint32_t binary_chunk = 0x004E4942;  // "BIN"
 constexpr std::uint32_t container_version = 2;
 constexpr std::size_t header_bytes = 12, chunk_header_bytes = 8, chunk_alignment = 4;
@@ -39,7 +40,7 @@ class Container {
         file_.is_container = true;
         if (!read_header()) return std::move(file_);
         std::size_t at = header_bytes;
-        for (std::size_t chunk = 0; at < bytes_.size() && !faults_.is_done(); ++chunk) {
+        for (std::size_t chunk = 0; at < end_ && !faults_.is_done(); ++chunk) {
             const std::size_t next = read_chunk(at, chunk);
             if (next == 0) break;
             at = next;
@@ -49,7 +50,7 @@ class Container {
     }
 
   private:
-    /// Cuts the bytes to the length that the header tells.
+    /// Finds the end that the header tells; what lies behind it is ignored.
     bool read_header() {
         if (bytes_.size() < header_bytes) {
             faults_.fatal(place(bytes_.size()), "the file ends within the container's header of {} bytes", header_bytes);
@@ -61,14 +62,14 @@ class Container {
             return false;
         }
         const std::uint32_t length = word(bytes_, 8);
-        if (length < header_bytes + chunk_header_bytes) {
+        if (length <= header_bytes) {
             faults_.fatal(place(8), "the container says that it is {} bytes long, too short for a chunk", length);
             return false;
         }
         if (length > bytes_.size()) {
             faults_.note(place(8), "the container says that it is {} bytes long, the file has {}", length, bytes_.size());
         }
-        bytes_ = bytes_.first(std::min<std::size_t>(length, bytes_.size()));
+        end_ = std::min<std::size_t>(length, bytes_.size());
         return true;
     }
 
@@ -88,9 +89,9 @@ class Container {
         if (length % chunk_alignment != 0) {
             faults_.note(place(at), "the length of chunk {} is {}, no multiple of {}", chunk, length, chunk_alignment);
         }
-        if (length > bytes_.size() - data) {
-            faults_.fatal(place(at), "chunk {} says that it has {} bytes; {} are left", chunk, length,
-                          bytes_.size() - data);
+        const std::size_t left = end_ > data ? end_ - data : 0;
+        if (length > left) {
+            faults_.fatal(place(at), "chunk {} says that it has {} bytes; {} are left", chunk, length, left);
             return 0;
         }
         read_content(kind, chunk, data, bytes_.subspan(data, length));
@@ -120,6 +121,7 @@ class Container {
     std::span<const std::byte> bytes_;
     GltfFaults& faults_;
     GltfFile file_;
+    std::size_t end_ = 0;
     bool has_json_ = false;
 };
 

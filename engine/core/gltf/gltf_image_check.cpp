@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "engine/core/gltf/gltf_image_check.h"
 
+#include <algorithm>
+
 #include "engine/core/closest_name.h"
 #include "engine/core/gltf/gltf_image_header.h"
 #include "engine/core/gltf/gltf_value.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/core/gltf/gltf_mesh_check.h"
 
+#include <algorithm>
 #include <array>
 #include <unordered_set>
 

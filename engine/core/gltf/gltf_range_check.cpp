@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/core/gltf/gltf_range_check.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>

@@ -35,13 +35,10 @@ GltfResources::Bytes GltfResources::read_buffer(const json& buffer, std::optiona
     Bytes bytes = binary.value_or(Bytes());
     bool is_there = binary.has_value();
     if (const auto uri = buffer.find("uri"); uri != buffer.end()) {
-        const std::string& text = uri->get_ref<const std::string&>();
-        const Found found = find(text, load);
+        const Found found = find(uri->get_ref<const std::string&>(), load);
         bytes = found.bytes;
-        is_there = found.is_sought && bytes.data();
-        if (found.is_sought && !is_there) {
-            faults.fatal(place.text() + "/uri", "'{}' is no file that can be read", for_message(text));
-        }
+        is_there = bytes.data() != nullptr;
+        if (!found.fault.empty()) faults.fatal(place.text() + "/uri", "{}", found.fault);
         const bool is_data = is_there && !found.media_type.empty();
         if (is_data && found.media_type != "application/octet-stream" && found.media_type != "application/gltf-buffer") {
             faults.note(place.text() + "/uri",
@@ -59,11 +56,8 @@ GltfResources::Bytes GltfResources::read_buffer(const json& buffer, std::optiona
 GltfResources::Bytes GltfResources::read_image(const json& image, const json& views, const GltfLoad& load,
                                                const GltfPlace& place, GltfFaults& faults) {
     if (const auto uri = image.find("uri"); uri != image.end()) {
-        const std::string& text = uri->get_ref<const std::string&>();
-        const Found found = find(text, load);
-        if (found.is_sought && !found.bytes.data()) {
-            faults.note(place.text() + "/uri", "'{}' is no file that can be read", for_message(text));
-        }
+        const Found found = find(uri->get_ref<const std::string&>(), load);
+        if (!found.fault.empty()) faults.note(place.text() + "/uri", "{}", found.fault);
         const std::string_view told = gltf_text_at(image, "mimeType");
         const bool is_picture = gltf_image_kind_of(found.media_type) != GltfImageKind::unknown;
         if (!found.media_type.empty() && (!is_picture || (!told.empty() && told != found.media_type))) {
@@ -85,7 +79,7 @@ GltfResources::Bytes GltfResources::read_image(const json& image, const json& vi
 GltfResources::Found GltfResources::find(const std::string& text, const GltfLoad& load) {
     GltfUri uri = read_gltf_uri(text);
     switch (uri.kind) {
-        case GltfUri::Kind::invalid: return {.is_sought = true};
+        case GltfUri::Kind::invalid: return {.fault = fmt::format("'{}' is no URI", for_message(text))};
         case GltfUri::Kind::absolute: return {};
         case GltfUri::Kind::data: {
             // A media type is optional; without one the data are a text.
@@ -94,7 +88,7 @@ GltfResources::Found GltfResources::find(const std::string& text, const GltfLoad
             uri.data.reserve(uri.data.size() + 1);
             stored_bytes_ += uri.data.size();
             const auto& kept = decoded_.emplace_back(std::move(uri.data));
-            return {.is_sought = true, .bytes = kept, .media_type = type};
+            return {.bytes = kept, .media_type = type};
         }
         case GltfUri::Kind::relative: break;
     }
@@ -104,9 +98,9 @@ GltfResources::Found GltfResources::find(const std::string& text, const GltfLoad
         file->second = load(uri.path);
         stored_bytes_ += file->second ? file->second->size() : 0;
     }
-    if (!file->second) return {.is_sought = true};
+    if (!file->second) return {.fault = fmt::format("there is no file '{}'", for_message(text))};
     file->second->reserve(1);
-    return {.is_sought = true, .bytes = *file->second};
+    return {.bytes = *file->second};
 }
 
 }  // namespace sl

@@ -48,8 +48,8 @@ class GltfResources {
 
   private:
     struct Found {
-        bool is_sought = false;  ///< it should be there
-        Bytes bytes;
+        std::string fault;  ///< why there are no bytes; empty where there are, and where nobody looks for them
+        Bytes bytes;        ///< with an address, even if there are none, where they were found
         std::string media_type;
     };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/core/gltf/gltf_structure.h"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <unordered_map>
