@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "engine/core/gltf/gltf_data_check.h"
 
-#include <chrono>
 #include <limits>
 
 #include "tests/core/gltf/gltf_fixture.h"
@@ -12,7 +11,6 @@ namespace {
 using testing::Contains;
 using testing::HasSubstr;
 using testing::IsEmpty;
-using testing::Not;
 
 /// One accessor on the file "a.bin", and what else a document needs.
 std::vector<std::string> with_data(const std::string& data, std::string_view accessor, std::string_view more = "") {
@@ -131,10 +129,9 @@ TEST(GltfData, ShortFilesDoNotClaimMuch) {
     EXPECT_THAT(faults_with(R"("accessors": [{"componentType": 5126, "count": 4000000000, "type": "VEC3"}])"), IsOnly("fatal /accessors", "hold 48000000000 bytes"));
     EXPECT_THAT(faults_with(R"("accessors": [{"componentType": 5126, "count": 9007199254740991, "type": "MAT4"},
                             {"componentType": 5126, "count": 9007199254740991, "type": "MAT4"}])"), IsOnly("fatal /accessors", "together"));
-    std::string accessors = "{}";
-    accessors = R"({"bufferView": 0, "componentType": 5121, "count": 1000000, "type": "SCALAR"})";
-    std::string many = accessors;
-    for (int i = 0; i < 1000; ++i) many += ", " + accessors;
+    const std::string accessor = R"({"bufferView": 0, "componentType": 5121, "count": 1000000, "type": "SCALAR"})";
+    std::string many = accessor;
+    for (int i = 0; i < 1000; ++i) many += ", " + accessor;
     EXPECT_THAT(faults_with(fmt::format(R"("buffers": [{{"byteLength": 1000000, "uri": "a.bin"}}],
         "bufferViews": [{{"buffer": 0, "byteLength": 1000000}}], "accessors": [{}])", many), {{"a.bin", std::string(1'000'000, '\0')}}),
                 IsOnly("fatal /accessors", "hold 1001000000 bytes together, of 1000000 that are stored"));

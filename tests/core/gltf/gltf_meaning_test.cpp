@@ -7,11 +7,8 @@ namespace sl {
 namespace {
 
 using testing::Contains;
-using testing::Each;
 using testing::HasSubstr;
 using testing::IsEmpty;
-using testing::Not;
-using testing::SizeIs;
 
 /// Accessors on one view of one buffer.
 std::vector<std::string> with_accessor(std::string_view accessor, std::string_view view = R"("byteLength": 64)") {
