@@ -96,7 +96,7 @@ TextureLayers layers_of(const Model& model, const std::vector<Wanted::Key>& want
     return layers;
 }
 
-/// Layers as large as asked for: mips are left away, or the finest is repeated.
+/// Layers made as large as asked for. Colours are averaged as they are encoded, which darkens edges a little.
 TextureLayers with_size(const TextureLayers& from, std::uint32_t size) {
     TextureLayers result{.size = size, .mips = picture_mips(size), .layers = {}};
     for (const auto& layer : from.layers) {

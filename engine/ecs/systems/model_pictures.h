@@ -8,7 +8,7 @@
 
 namespace sl {
 
-/// Bytes that all pictures of a world may take with their mips; where they would take more, they are made smaller.
+/// Bytes that the pictures of one model may take with their mips; where they would take more, they are made smaller.
 inline constexpr std::uint64_t most_picture_bytes = std::uint64_t{256} << 20;
 
 /// What the materials of one model read, with layers counted from 0, decoded and of one size.
