@@ -48,6 +48,18 @@ bool write_all(int file, std::string_view text) {
     fail("{}: cannot be written: {}", path.string(), std::strerror(why));
 }
 
+/// Through symbolic links, also to a file that is not there yet.
+std::filesystem::path linked_file(const std::filesystem::path& path) {
+    constexpr int most_links = 40;  // as many as the kernel follows
+    std::filesystem::path file = path;
+    std::error_code error;
+    for (int links = 0; std::filesystem::is_symlink(file, error); ++links) {
+        if (links == most_links) fail("{}: cannot be written: {}", path.string(), std::strerror(ELOOP));
+        file = file.parent_path() / std::filesystem::read_symlink(file, error);
+    }
+    return file;
+}
+
 }  // namespace
 
 std::string read_text_file(const std::filesystem::path& path, std::uint64_t most_bytes) {
@@ -68,11 +80,13 @@ std::string read_text_file(const std::filesystem::path& path, std::uint64_t most
 
 void write_text_file(const std::filesystem::path& path, std::string_view text) {
     std::error_code error;
-    const bool exists = std::filesystem::exists(path, error);
-    const std::filesystem::path target = exists ? std::filesystem::canonical(path) : path;
+    const std::filesystem::path target = linked_file(path);
+    const bool exists = std::filesystem::exists(target, error);
     if (exists && !std::filesystem::is_regular_file(target, error)) {
         fail("{}: cannot be written: it is no regular file, and would be replaced", path.string());
     }
+    // The folder would let a file be replaced that is protected itself.
+    if (exists && ::access(target.c_str(), W_OK) != 0) fail("{}: cannot be written: {}", path.string(), std::strerror(errno));
     std::filesystem::path beside = target;
     beside += fmt::format(".{}.tmp", ::getpid());
     struct stat old {};

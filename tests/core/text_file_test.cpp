@@ -2,8 +2,11 @@
 #include "engine/core/text_file.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+#include <csignal>
 
 #include "tests/core/every_field.h"
 
@@ -60,6 +63,57 @@ TEST_F(TextFile, AFailureLeavesTheOldFileAndNothingBeside) {
     fs::create_directory(folder / "taken");
     EXPECT_NE(error_of([&] { write_text_file(folder / "taken", "x"); }), "");
     EXPECT_TRUE(fs::is_directory(folder / "taken"));
+    EXPECT_EQ(files(), 1u);
+}
+
+TEST_F(TextFile, ALinkToAFileThatIsNotThereYetIsFollowed) {
+    fs::create_directory(folder / "in");
+    fs::create_symlink("in/link", folder / "first");
+    fs::create_symlink("../real", folder / "in" / "link");
+    write_text_file(folder / "first", "new");
+    EXPECT_TRUE(fs::is_symlink(folder / "first"));
+    EXPECT_TRUE(fs::is_symlink(folder / "in" / "link"));
+    EXPECT_EQ(read_text_file(folder / "real", 100), "new");
+    fs::create_symlink("circle", folder / "circle");
+    EXPECT_EQ(error_of([&] { write_text_file(folder / "circle", "x"); }),
+              (folder / "circle").string() + ": cannot be written: Too many levels of symbolic links");
+}
+
+TEST_F(TextFile, AFullDiskLeavesTheOldFile) {
+    write_text_file(folder / "a", "old");
+    // A limit on the size of files stops a write half way, as a full disk does.
+    rlimit usual{};
+    ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &usual), 0);
+    const auto no_signal = std::signal(SIGXFSZ, SIG_IGN);
+    rlimit small = usual;
+    small.rlim_cur = 4096;
+    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+    const std::string error = error_of([&] { write_text_file(folder / "a", std::string(100'000, 'x')); });
+    ::setrlimit(RLIMIT_FSIZE, &usual);
+    std::signal(SIGXFSZ, no_signal);
+    EXPECT_EQ(error, (folder / "a").string() + ": cannot be written: File too large");
+    EXPECT_EQ(read_text_file(folder / "a", 100), "old");
+    EXPECT_EQ(files(), 1u);
+}
+
+/// What a user without special rights is told who writes the file; the answer comes as the message of a process that ends.
+[[noreturn]] void write_as_a_user(const fs::path& file) {
+    constexpr uid_t nobody = 65534;
+    if (::geteuid() == 0 && ::setuid(nobody) != 0) std::_Exit(1);
+    fmt::print(stderr, "{}", error_of([&] { write_text_file(file, "new"); }));
+    std::_Exit(0);
+}
+
+TEST_F(TextFile, WhatIsProtectedStaysAsItIs) {
+    write_text_file(folder / "a", "old");
+    ::chmod((folder / "a").c_str(), 0666);
+    ::chmod(folder.c_str(), 0555);
+    EXPECT_EXIT(write_as_a_user(folder / "a"), testing::ExitedWithCode(0), "/a: cannot be written: Permission denied");
+    EXPECT_EXIT(write_as_a_user(folder / "b"), testing::ExitedWithCode(0), "/b: cannot be written: Permission denied");
+    ::chmod(folder.c_str(), 0777);
+    ::chmod((folder / "a").c_str(), 0444);
+    EXPECT_EXIT(write_as_a_user(folder / "a"), testing::ExitedWithCode(0), "/a: cannot be written: Permission denied");
+    EXPECT_EQ(read_text_file(folder / "a", 100), "old");
     EXPECT_EQ(files(), 1u);
 }
 
