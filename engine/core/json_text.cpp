@@ -140,4 +140,23 @@ std::string json_text(const ordered_json& value) {
     return text + "\n";
 }
 
+std::string without_comments(std::string text) {
+    bool in_string = false;
+    for (std::size_t at = 0; at < text.size(); ++at) {
+        if (text[at] == '"') in_string = !in_string;
+        if (in_string && text[at] == '\\') ++at;
+        if (in_string || text[at] != '/' || at + 1 == text.size()) continue;
+        const bool line = text[at + 1] == '/', block = text[at + 1] == '*';
+        if (!line && !block) continue;
+        const std::size_t close = line ? std::min(text.find('\n', at), text.size()) : text.find("*/", at + 2);
+        if (close == std::string::npos) return text;
+        const std::size_t end = line ? close : close + 2;
+        for (std::size_t i = at; i < end; ++i) {
+            if (text[i] != '\n') text[i] = ' ';
+        }
+        at = end - 1;
+    }
+    return text;
+}
+
 }  // namespace sl

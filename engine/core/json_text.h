@@ -14,6 +14,10 @@ inline constexpr int deepest_json = 64;
 /// object.
 nlohmann::json parse_json(std::string_view text, std::string_view file);
 
+/// The text with its // and /* */ comments blanked out, so that places in it stay where they are. One that has no end stays,
+/// and is no JSON.
+std::string without_comments(std::string text);
+
 /// For people to read and edit: a value without objects in it stands on one line where it fits, keys keep
 /// their order. Bytes that are no UTF-8 become U+FFFD.
 std::string json_text(const nlohmann::ordered_json& value);

@@ -41,6 +41,20 @@ TEST(JsonText, RefusesDeepNesting) {
     EXPECT_EQ(error_for(fmt::format(R"("{}\"{}")", brackets, brackets)), "");
 }
 
+TEST(JsonText, CommentsAreBlankedOutWhereTheyStand) {
+    EXPECT_EQ(without_comments("{ // \"one\n\"a\": /* [{ \n */ 1}"), fmt::format("{{{:8}\n\"a\":{:7}\n{:4}1}}", "", "", ""));
+    EXPECT_EQ(without_comments("1 // end"), "1       ");
+    EXPECT_EQ(without_comments("/**/1/*/*/2/***/3"), "    1     2     3");
+    for (const char* text : {"", "/", "{\"a\": \"// no\"}", R"(["\\\"/* no */", 1])", "1 / 2", "*/", "/*", "/* no end *"}) EXPECT_EQ(without_comments(text), text);
+    EXPECT_EQ(error_of([] { parse_json(without_comments("[1, /* two\n lines */ x]"), "x.json"); }).substr(0, 12), "x.json:2:11:");
+    EXPECT_TRUE(error_of([] { parse_json(without_comments("[1 /* ]"), "x.json"); }).starts_with("x.json:1:4: "));
+}
+
+TEST(JsonText, ACommentHidesNoDepth) {
+    const std::string nested(100, '[');
+    EXPECT_EQ(error_of([&] { parse_json(without_comments("// \"\n" + nested), "x.json"); }), "x.json:2:65: nested deeper than 64 levels");
+}
+
 TEST(JsonText, MessagesStayOnOneShortLine) {
     const std::string message = error_for(fmt::format("{{\"{}", std::string(1'000'000, '\x01')));
     EXPECT_LT(message.size(), 400u);
