@@ -81,7 +81,7 @@ void FieldLister::field(std::string_view name, quat& value, const FieldInfo& inf
     rows.push_back(row_without_range(name, "rotation", std::move(text), info));
 }
 void FieldLister::field(std::string_view name, std::string& value, const FieldInfo& info) {
-    rows.push_back(row_without_range(name, "text", value, info));
+    rows.push_back(row_without_range(name, info.look == FieldLook::file ? "file" : "text", value, info));
 }
 void FieldLister::choice(std::string_view name, std::size_t& index, std::span<const std::string_view> names,
                          const FieldInfo& info) {

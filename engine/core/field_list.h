@@ -10,7 +10,7 @@ namespace sl {
 /// What people are told about one field.
 struct FieldRow {
     std::string name;
-    std::string type;   ///< bool, int, float, vec3, rotation, text, choice …
+    std::string type;   ///< bool, int, float, vec3, rotation, text, file, choice …
     std::string value;  ///< as FieldSetter reads it
     double min = 0.0;   ///< both 0 for fields without numbers
     double max = 0.0;

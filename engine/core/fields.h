@@ -11,8 +11,8 @@
 
 namespace sl {
 
-/// How a person should see a number.
-enum class FieldLook { plain, colour, angle, direction, logarithmic };
+/// How a person should see a field. A text that is a `file` names one: in full, or beside the scene file.
+enum class FieldLook { plain, colour, angle, direction, logarithmic, file };
 
 /// What is known about a field besides its value. Range, unit and help are written here once; panel, scene file,
 /// command line, bench sweep and docs read them.

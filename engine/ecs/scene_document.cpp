@@ -25,25 +25,17 @@ struct SceneFile {
     std::shared_ptr<const json> content;
 };
 
-SceneFile read_file(const fs::path& path) {
+SceneFile read_file(const fs::path& path, std::span<const SceneUpgrade> upgrades) {
     const std::string shown = path.string();
-    const std::string text = read_text_file(path, most_scene_bytes);
-    auto content = std::make_shared<const json>(parse_json(text, shown));
-    if (!content->is_object() || !content->contains(scene_key::version)) {
-        fail("{}: is no scene: it must begin with {{\"{}\": {}, …", shown, scene_key::version, scene_version);
-    }
-    const json& version = (*content)[scene_key::version];
-    if (version != scene_version) {
-        fail("{}: /{}: is {}, this program reads version {}", shown, scene_key::version,
-             for_message(version.dump()), scene_version);
-    }
-    constexpr std::array<std::string_view, 4> known{scene_key::version, scene_key::description,
-                                                    scene_key::include, scene_key::entities};
-    for (const auto& item : content->items()) {
+    json content = parse_json(without_comments(read_text_file(path, most_scene_bytes)), shown);
+    upgrade_scene(content, shown, upgrades);
+    constexpr std::array<std::string_view, 5> known{scene_key::version, scene_key::description, scene_key::include,
+                                                    scene_key::entities, scene_key::schema};
+    for (const auto& item : content.items()) {
         if (std::find(known.begin(), known.end(), item.key()) != known.end()) continue;
         fail("{}: {}", shown, no_such_name("key", item.key(), known));
     }
-    return {shown, fs::canonical(path), std::move(content)};
+    return {shown, fs::canonical(path), std::make_shared<const json>(std::move(content))};
 }
 
 /// The value of a text key, or nothing where it is absent.
@@ -75,8 +67,8 @@ fs::path included_path(const SceneFile& file, const std::string& include) {
 }
 
 /// The file and those it includes, outermost first.
-std::vector<SceneFile> read_chain(const fs::path& path) {
-    std::vector<SceneFile> chain{read_file(path)};
+std::vector<SceneFile> read_chain(const fs::path& path, std::span<const SceneUpgrade> upgrades) {
+    std::vector<SceneFile> chain{read_file(path, upgrades)};
     while (const auto include =
                find_text(*chain.back().content, scene_key::include, chain.back().shown + ": ")) {
         const fs::path next = included_path(chain.back(), *include);
@@ -89,7 +81,7 @@ std::vector<SceneFile> read_chain(const fs::path& path) {
         if (chain.size() > deepest_include) {
             fail("{}: /{}: more than {} files deep", chain.back().shown, scene_key::include, deepest_include);
         }
-        chain.push_back(read_file(next));
+        chain.push_back(read_file(next, upgrades));
     }
     return chain;
 }
@@ -106,8 +98,8 @@ class Merge {
         }
         std::unordered_set<std::string> names;
         for (std::size_t i = 0; i < found->size(); ++i) {
-            const SceneLayer layer{&(*found)[i],
-                                   fmt::format("{}: /{}/{}", file.shown, scene_key::entities, i)};
+            const SceneLayer layer{&(*found)[i], fmt::format("{}: /{}/{}", file.shown, scene_key::entities, i),
+                                   fs::path(file.shown).parent_path()};
             const std::string name = name_of(layer);
             if (!names.insert(name).second) {
                 fail("{}/{}: there are two entities called '{}'", layer.where, scene_key::name,
@@ -203,12 +195,15 @@ class Merge {
 
 }  // namespace
 
-SceneDocument read_scene_document(const fs::path& path) {
-    const std::vector<SceneFile> chain = read_chain(path);
+SceneDocument read_scene_document(const fs::path& path, std::span<const SceneUpgrade> upgrades) {
+    const std::vector<SceneFile> chain = read_chain(path, upgrades);
     SceneDocument document;
-    const SceneFile& outermost = chain.front();
-    document.description =
-        find_text(*outermost.content, scene_key::description, outermost.shown + ": ").value_or("");
+    for (const SceneFile& file : chain) document.paths.emplace_back(file.shown);
+    // Of each file, so that a wrong one is told wherever it stands; the outermost one's are kept.
+    for (auto file = chain.rbegin(); file != chain.rend(); ++file) {
+        document.description = find_text(*file->content, scene_key::description, file->shown + ": ").value_or("");
+        document.schema = find_text(*file->content, scene_key::schema, file->shown + ": ").value_or("");
+    }
     Merge merge;
     for (auto file = chain.rbegin(); file != chain.rend(); ++file) {
         merge.add_file(*file);

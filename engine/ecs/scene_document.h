@@ -10,13 +10,15 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/ecs/scene_upgrade.h"
+
 namespace sl {
 
-inline constexpr int scene_version = 1;
 inline constexpr std::uint64_t most_scene_bytes = std::uint64_t{64} << 20;
 inline constexpr std::size_t deepest_include = 8;
 
 namespace scene_key {
+inline constexpr std::string_view schema = "$schema";
 inline constexpr std::string_view version = "secondlight_scene";
 inline constexpr std::string_view description = "description";
 inline constexpr std::string_view include = "include";
@@ -30,6 +32,7 @@ inline constexpr std::string_view remove = "remove";
 struct SceneLayer {
     const nlohmann::json* object;
     std::string where;  ///< file and JSON pointer, for messages
+    std::filesystem::path folder;  ///< of the file
 };
 
 /// An entity with all that the included files and the including one say about it, innermost first.
@@ -40,15 +43,16 @@ struct SceneEntity {
     std::vector<SceneLayer> layers;
 };
 
-/// A scene file with its includes merged by entity name. Names are unique; parents exist and form no cycle;
-/// what the components hold is not looked at yet.
+/// A scene file with its includes merged by entity name, all of the newest version. Names are unique; parents exist and
+/// form no cycle; what the components hold is not looked at yet.
 struct SceneDocument {
-    std::string description;
+    std::string description, schema;  ///< empty where the file has none
     std::vector<SceneEntity> entities;
+    std::vector<std::filesystem::path> paths;  ///< of the file and of what it includes, outermost first
     std::vector<std::shared_ptr<const nlohmann::json>> files;  ///< what the layers point into
 };
 
 /// Throws Error with file and place for whatever is wrong.
-SceneDocument read_scene_document(const std::filesystem::path& path);
+SceneDocument read_scene_document(const std::filesystem::path& path, std::span<const SceneUpgrade> upgrades = scene_upgrades);
 
 }  // namespace sl

@@ -13,6 +13,7 @@
 #include "engine/ecs/components/name.h"
 #include "engine/ecs/parent.h"
 #include "engine/ecs/scene_document.h"
+#include "engine/ecs/scene_references.h"
 
 namespace sl {
 
@@ -21,7 +22,8 @@ using nlohmann::ordered_json;
 
 namespace {
 
-void apply_layer(World& world, const ComponentRegistry& registry, Entity entity, const SceneLayer& layer) {
+void apply_layer(World& world, const ComponentRegistry& registry, Entity entity, const SceneLayer& layer, const std::filesystem::path& folder) {
+    const MovedReferences references(layer.folder, folder);
     for (const auto& item : layer.object->items()) {
         const std::string& key = item.key();
         if (key == scene_key::name || key == scene_key::parent || key == scene_key::remove) continue;
@@ -31,7 +33,9 @@ void apply_layer(World& world, const ComponentRegistry& registry, Entity entity,
             continue;
         }
         if (!type.has(world, entity)) type.add_default(world, entity);
-        JsonReader reader(item.value(), fmt::format("{}/{}", layer.where, key));
+        json component = item.value();
+        references.move_in(type, component);
+        JsonReader reader(component, fmt::format("{}/{}", layer.where, key));
         type.visit(world, entity, reader);
         reader.check_all_used();
     }
@@ -44,7 +48,7 @@ void build(World& world, const ComponentRegistry& registry, const SceneDocument&
         const Entity entity = world.create(Name{scene_entity.name});
         made.push_back(entity);
         by_name[scene_entity.name] = entity;
-        for (const SceneLayer& layer : scene_entity.layers) apply_layer(world, registry, entity, layer);
+        for (const SceneLayer& layer : scene_entity.layers) apply_layer(world, registry, entity, layer, document.paths.front().parent_path());
     }
     for (std::size_t i = 0; i < made.size(); ++i) {
         const auto& parent = document.entities[i].parent;
@@ -58,7 +62,7 @@ std::string parent_name(const World& world, Entity parent, std::string_view chil
 }
 
 ordered_json entity_json(const World& world, const ComponentRegistry& registry, Entity entity,
-                         const std::string& file) {
+                         const MovedReferences& references, const std::string& file) {
     ordered_json object = ordered_json::object();
     const std::string& name = world.get<Name>(entity).value;
     object[std::string(scene_key::name)] = name;
@@ -67,13 +71,21 @@ ordered_json entity_json(const World& world, const ComponentRegistry& registry, 
     }
     for (const ComponentType& type : registry.types()) {
         if (!type.has(world, entity)) continue;
-        JsonWriter writer(object[type.name]);
+        ordered_json& component = object[type.name];
+        JsonWriter writer(component);
         type.visit_copy(world, entity, writer);
+        references.move_in(type, component);
     }
     return object;
 }
 
 }  // namespace
+
+std::filesystem::path references_folder(const World& world) {
+    const auto* info = world.find_resource<SceneInfo>();
+    if (info == nullptr) return {};
+    return info->folder.empty() ? info->path.parent_path() : info->folder;
+}
 
 void read_scene(World& world, const ComponentRegistry& registry, const std::filesystem::path& path) {
     SceneDocument document = read_scene_document(path);
@@ -84,16 +96,20 @@ void read_scene(World& world, const ComponentRegistry& registry, const std::file
         for (const Entity entity : made) world.destroy(entity);
         throw;
     }
-    world.add_resource(SceneInfo{std::move(document.description), path});
+    world.add_resource(SceneInfo{.description = std::move(document.description), .path = path, .schema = std::move(document.schema)});
 }
 
 void write_scene(const World& world, const ComponentRegistry& registry, const std::filesystem::path& path) {
     const std::string file = path.string();
-    ordered_json scene = {{scene_key::version, scene_version}};
-    if (const SceneInfo* info = world.find_resource<SceneInfo>();
-        info != nullptr && !info->description.empty()) {
-        scene[std::string(scene_key::description)] = info->description;
+    const MovedReferences references(references_folder(world), path.parent_path());
+    const auto* info = world.find_resource<SceneInfo>();
+    ordered_json scene = ordered_json::object();
+    if (info != nullptr && !info->schema.empty()) {
+        const bool is_url = info->schema.find("://") != std::string::npos;
+        scene[std::string(scene_key::schema)] = is_url ? info->schema : references.moved(info->schema);
     }
+    scene[std::string(scene_key::version)] = scene_version;
+    if (info != nullptr && !info->description.empty()) scene[std::string(scene_key::description)] = info->description;
     ordered_json& entities = scene[std::string(scene_key::entities)] = ordered_json::array();
     std::unordered_set<std::string_view> names;
     if (const auto* named = world.find_pool<Name>()) {
@@ -104,7 +120,7 @@ void write_scene(const World& world, const ComponentRegistry& registry, const st
                 fail("{}: not written, because two entities are called '{}'; rename one", file,
                      for_message(name));
             }
-            entities.push_back(entity_json(world, registry, entity, file));
+            entities.push_back(entity_json(world, registry, entity, references, file));
         }
     }
     write_text_file(path, json_text(scene));

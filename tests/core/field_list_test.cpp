@@ -36,6 +36,16 @@ TEST(FieldList, TellsValueRangeAndUnit) {
     EXPECT_EQ(row("mood").choices, (std::vector<std::string>{"calm", "windy", "stormy"}));
 }
 
+TEST(FieldList, TellsWhichTextsNameFiles) {
+    FieldLister lister;
+    std::string text = "a.glb";
+    lister.field("text", text, {});
+    lister.field("file", text, {.look = FieldLook::file});
+    EXPECT_EQ(lister.rows[0].type, "text");
+    EXPECT_EQ(lister.rows[1].type, "file");
+    EXPECT_EQ(lister.rows[1].value, "a.glb");
+}
+
 TEST(FieldList, MarkdownEscapesBars) {
     const std::string table = markdown_table(list_fields(EveryField{}));
     EXPECT_NE(table.find("| `size` | 64 | 4 to 1024 | texels | Size \\| side. |\n"), std::string::npos)

@@ -44,14 +44,21 @@ TEST_F(SceneDocuments, ErrorsOfTheFileItself) {
     EXPECT_EQ(error_of_reading("s.json"),
               "s.json: is no scene: it must begin with {\"secondlight_scene\": 1, …");
     put("s.json", R"({"secondlight_scene": 2})");
-    EXPECT_EQ(error_of_reading("s.json"), "s.json: /secondlight_scene: is 2, this program reads version 1");
+    EXPECT_EQ(error_of_reading("s.json"), "s.json: /secondlight_scene: is 2, but this program knows versions up to 1; open the file with a newer one");
     put("s.json", R"({"secondlight_scene": 1, "entitys": []})");
     EXPECT_EQ(
         error_of_reading("s.json"),
         "s.json: there is no key 'entitys'; did you mean 'entities'? Known: secondlight_scene, description, "
-        "include, entities");
+        "include, entities, $schema");
     fs::resize_file(folder / "s.json", most_scene_bytes + 1);
     EXPECT_EQ(error_of_reading("s.json"), "s.json: has 67108865 bytes, at most 67108864 are read");
+}
+
+TEST_F(SceneDocuments, CommentsArePassedOver) {
+    put("s.json", "/* A scene\n * of one */ {\"secondlight_scene\": 1, // the \"version\"\n"
+                  "\"entities\": [/*[{*/ {\"name\": \"a // b\"}]}\n// the end");
+    EXPECT_EQ(error_of_reading("s.json"), "");
+    EXPECT_TRUE(named("a // b"));
 }
 
 TEST_F(SceneDocuments, IncludesStayInTheFolder) {

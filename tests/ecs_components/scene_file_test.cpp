@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "engine/ecs/scene_file.h"
 
-#include "engine/core/field_random.h"
+#include <gmock/gmock.h>
+
 #include "engine/ecs/parent.h"
 #include "tests/ecs_components/scene_folder.h"
+#include "tests/support/random_scene.h"
 
 namespace sl {
 namespace {
 
+namespace fs = std::filesystem;
 using SceneFile = SceneFolder;
 
 TEST_F(SceneFile, ReadsEntitiesComponentsAndParents) {
@@ -32,25 +35,52 @@ TEST_F(SceneFile, ReadsEntitiesComponentsAndParents) {
 TEST_F(SceneFile, WriteReadWriteIsIdentity) {
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
         World before, after;
-        RandomFields random(seed);
-        std::vector<Entity> entities;
-        for (int i = 0; i < 30; ++i) {
-            const Entity entity = before.create(Name{"entity \"" + std::to_string(i) + "\" ü"});
-            for (const ComponentType& type : registry.types()) {
-                if (random.uniform() < 0.5) continue;
-                type.add_default(before, entity);
-                type.visit(before, entity, random);
-            }
-            if (i > 0 && random.uniform() < 0.5)
-                before.add(entity, Parent{entities[static_cast<std::size_t>(i) / 2]});
-            entities.push_back(entity);
-        }
-        before.add_resource(SceneInfo{"a \\ description", {}});
+        fill_randomly(before, registry, seed);
+        before.add_resource(SceneInfo{.description = "a \\ description", .path = folder / "none.json", .schema = "../a schema.json"});
         write_scene(before, registry, folder / "a.json");
         read_scene(after, registry, folder / "a.json");
+        ASSERT_EQ(told(after, registry), told(before, registry)) << seed;
         write_scene(after, registry, folder / "b.json");
         ASSERT_EQ(text_of("a.json"), text_of("b.json")) << seed;
     }
+}
+
+TEST_F(SceneFile, FilesAreFoundFromAnotherFolder) {
+    fs::create_directories(folder / "one" / "parts");
+    fs::create_directories(folder / "two" / "deep");
+    put("one/parts/base.json", R"({"secondlight_scene": 1, "$schema": "no.json", "entities": [
+        {"name": "inner", "model": {"file": "../inner.glb"}}, {"name": "outer", "model": {"file": "replaced.glb"}}]})");
+    put("one/s.json", R"({"secondlight_scene": 1, "$schema": "scene.json", "include": "parts/base.json", "entities": [
+        {"name": "outer", "model": {"file": "parts/../outer.glb"}}, {"name": "full", "model": {"file": "/full.glb"}}, {"name": "none", "model": {}}]})");
+    const auto files = [&] {
+        std::vector<std::string> found;
+        for (const char* name : {"inner", "outer", "full", "none"}) found.push_back(world.get<ModelFile>(named(name)).file);
+        return found;
+    };
+    read("one/s.json");
+    EXPECT_THAT(files(), testing::ElementsAre("inner.glb", "parts/../outer.glb", "/full.glb", ""));
+    write_scene(world, registry, folder / "two" / "deep" / "s.json");
+    world.clear();
+    read("two/deep/s.json");
+    EXPECT_THAT(files(), testing::ElementsAre("../../one/inner.glb", "../../one/outer.glb", "/full.glb", ""));
+    EXPECT_EQ(world.resource<SceneInfo>().schema, "../../one/scene.json");
+    // Through a link, ".." leads elsewhere than the letters say.
+    fs::create_directory_symlink("two/deep", folder / "link");
+    write_scene(world, registry, folder / "link" / "t.json");
+    EXPECT_EQ(text_of("two/deep/t.json"), text_of("two/deep/s.json"));
+    write_scene(world, registry, folder / "one" / "t.json");
+    world.clear();
+    read("one/t.json");
+    EXPECT_THAT(files(), testing::ElementsAre("inner.glb", "outer.glb", "/full.glb", ""));
+    EXPECT_EQ(world.resource<SceneInfo>().schema, "scene.json");
+}
+
+TEST_F(SceneFile, ASchemaOnTheWebKeepsItsPlace) {
+    put("s.json", R"({"$schema": "https://example.org/scene.json", "secondlight_scene": 1})");
+    read("s.json");
+    fs::create_directory(folder / "in");
+    write_scene(world, registry, folder / "in" / "s.json");
+    EXPECT_EQ(text_of("in/s.json"), "{\"$schema\": \"https://example.org/scene.json\", \"secondlight_scene\": 1, \"entities\": []}\n");
 }
 
 TEST_F(SceneFile, IsForPeopleToRead) {

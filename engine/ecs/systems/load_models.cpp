@@ -46,8 +46,7 @@ std::size_t ModelLibrary::loading() const {
 }
 
 std::filesystem::path model_path(const World& world, const ModelFile& file) {
-    const auto* info = world.find_resource<SceneInfo>();
-    return info == nullptr || std::filesystem::path(file.file).is_absolute() ? std::filesystem::path(file.file) : info->path.parent_path() / file.file;
+    return references_folder(world) / file.file;
 }
 
 /// One run of load_models.
