@@ -5,9 +5,14 @@
 #include <imgui_stdlib.h>
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <ranges>
 
 #include "editor/entity_tree.h"
+#include "engine/core/error.h"
+#include "engine/core/json_text.h"
+#include "engine/core/text_file.h"
+#include "engine/ecs/scene_document.h"
 #include "engine/ecs/scene_file.h"
 
 namespace sl {
@@ -23,10 +28,22 @@ std::string usual_path(const World& world) {
     return (stem.empty() ? "scene" : stem) + ".json";
 }
 
+/// What a scene file holds that saving over it would not write again; empty where that is nothing.
+std::string lost_by_replacing(const std::string& path) {
+    try {
+        const std::string text = read_text_file(path, most_scene_bytes);
+        const std::string plain = without_comments(text);
+        const bool includes = parse_json(plain, path).contains(scene_key::include);
+        return fmt::format("{}{}", plain == text ? "" : " Its comments would be lost.", includes ? " What it includes would stand in it instead." : "");
+    } catch (const Error&) {
+        return "";  // no scene, so nothing of one is lost
+    }
+}
+
 void ask_before_replacing(const EditedScene& scene, SceneFileBar& state) {
     if (!ImGui::BeginPopupModal(replace_popup, nullptr, ImGuiWindowFlags_AlwaysAutoResize)) return;
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * 20.0f);
-    ImGui::Text("There is already a file %s.", state.path.c_str());
+    ImGui::Text("There is already a file %s.%s", state.path.c_str(), state.lost.c_str());
     ImGui::PopTextWrapPos();
     if (ImGui::Button("Replace it")) {
         state.outcome = save_scene(scene, state.path);
@@ -55,6 +72,8 @@ Outcome save_scene(const EditedScene& scene, const std::string& path) {
     try {
         write_scene(scene.world, scene.registry, path);
         SceneInfo info = scene.world.find_resource<SceneInfo>() != nullptr ? scene.world.resource<SceneInfo>() : SceneInfo{};
+        // The world keeps its names of files, and with them whatever undo brings back.
+        info.folder = std::filesystem::current_path() / references_folder(scene.world);
         info.path = path;
         scene.world.add_resource(std::move(info));
         return {fmt::format("saved {}", std::filesystem::absolute(path).string())};
@@ -88,6 +107,7 @@ void scene_file_bar(const EditedScene& scene, SceneFileBar& state) {
     if (ImGui::Button("Save")) {
         std::error_code ignored;
         if (std::filesystem::exists(state.path, ignored)) {
+            state.lost = lost_by_replacing(state.path);
             ImGui::OpenPopup(replace_popup);
         } else {
             state.outcome = save_scene(scene, state.path);

@@ -9,6 +9,7 @@ namespace sl {
 /// What the bar remembers between frames.
 struct SceneFileBar {
     std::string path;  ///< where Save writes; empty: the usual one
+    std::string lost;  ///< what replacing the file there would lose, for the question whether to
     Outcome outcome;
 };
 

@@ -10,6 +10,7 @@
 #include "editor/entity_tree.h"
 #include "engine/ecs/parent.h"
 #include "engine/ecs/scene_file.h"
+#include "engine/ecs/systems/load_models.h"
 #include "tests/editor/panel_test.h"
 
 namespace sl {
@@ -115,16 +116,34 @@ TEST_F(SceneTabTest, WhatCannotBeSavedOrReadIsSaidAndChangesNothing) {
     EXPECT_TRUE(state_.history.done().empty());
 }
 
+TEST_F(SceneTabTest, AModelIsFoundFromWhereverItsSceneIsSaved) {
+    const auto before = (folder_ / "ship.glb").lexically_normal();
+    app_.world.add_resource(SceneInfo{.description = "", .path = file("first.json")});
+    const ModelFile ship{.file = "ship.glb"};
+    app_.world.add(lamp_, ship);
+    std::filesystem::create_directories(folder_ / "other");
+    ASSERT_FALSE(save_scene(scene(), file("other/second.json")).failed);
+    EXPECT_EQ(app_.world.get<ModelFile>(lamp_), ship);
+    EXPECT_EQ(model_path(app_.world, ship).lexically_normal(), before);
+    ASSERT_FALSE(save_scene(scene(), file("other/third.json")).failed);
+    ASSERT_FALSE(reload_scene(scene()).failed);
+    const Entity lamp = EntityTree(app_.world).all()[3];
+    EXPECT_EQ(app_.world.get<ModelFile>(lamp).file, "../ship.glb");
+    EXPECT_EQ(model_path(app_.world, app_.world.get<ModelFile>(lamp)).lexically_normal(), before);
+}
+
 TEST_F(SceneTabTest, AFileThatIsThereIsOnlyReplacedOnceSomebodySaidSo) {
     const std::string path = file("mine.json");
-    std::ofstream(path) << "precious";
+    std::ofstream(path) << "{\"include\": \"a.json\"} // precious";
+    const auto bytes = std::filesystem::file_size(path);
     state_.scene.file.path = path;
     frame(drawing());
     frame(drawing());
     // Save is the first button.
     const float half_line = 0.5f * ImGui::GetFrameHeight();
     click(ImVec2(ImGui::GetStyle().WindowPadding.x + half_line, ImGui::GetStyle().WindowPadding.y + half_line), drawing());
-    EXPECT_EQ(std::filesystem::file_size(path), 8u);
+    EXPECT_EQ(std::filesystem::file_size(path), bytes);
+    EXPECT_EQ(state_.scene.file.lost, " Its comments would be lost. What it includes would stand in it instead.");
     frame(drawing());
     EXPECT_TRUE(ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel));
 }
