@@ -22,7 +22,8 @@ using nlohmann::ordered_json;
 
 namespace {
 
-void apply_layer(World& world, const ComponentRegistry& registry, Entity entity, const SceneLayer& layer, const std::filesystem::path& folder) {
+void apply_layer(World& world, const ComponentRegistry& registry, Entity entity, const SceneLayer& layer,
+                 const std::filesystem::path& folder) {
     const MovedReferences references(layer.folder, folder);
     for (const auto& item : layer.object->items()) {
         const std::string& key = item.key();
@@ -43,12 +44,13 @@ void apply_layer(World& world, const ComponentRegistry& registry, Entity entity,
 
 void build(World& world, const ComponentRegistry& registry, const SceneDocument& document,
            std::vector<Entity>& made) {
+    const std::filesystem::path folder = document.paths.front().parent_path();
     std::unordered_map<std::string_view, Entity> by_name;
     for (const SceneEntity& scene_entity : document.entities) {
         const Entity entity = world.create(Name{scene_entity.name});
         made.push_back(entity);
         by_name[scene_entity.name] = entity;
-        for (const SceneLayer& layer : scene_entity.layers) apply_layer(world, registry, entity, layer, document.paths.front().parent_path());
+        for (const SceneLayer& layer : scene_entity.layers) apply_layer(world, registry, entity, layer, folder);
     }
     for (std::size_t i = 0; i < made.size(); ++i) {
         const auto& parent = document.entities[i].parent;

@@ -31,8 +31,8 @@ std::filesystem::path references_folder(const World& world);
 void read_scene(World& world, const ComponentRegistry& registry, const std::filesystem::path& path);
 
 /// Writes every entity with a Name and its registered components, without includes and comments. Names of files become
-/// relative to the one that is written. Replaces the file whole or not at all. Throws Error where the file cannot be written, or could not be read back: two entities of
-/// one name, a parent without one.
+/// relative to the one that is written. Replaces the file whole or not at all. Throws Error where the file cannot be
+/// written, or could not be read back: two entities of one name, a parent without one.
 void write_scene(const World& world, const ComponentRegistry& registry, const std::filesystem::path& path);
 
 }  // namespace sl
