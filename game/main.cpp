@@ -24,6 +24,7 @@ int run(int argc, char** argv) {
                 sl::add_list_command(line, flags);
                 sl::add_export_command(line);
                 sl::add_inspect_command(line);
+                sl::add_schema_command(line);
                 sl::add_reference_command(line);
                 sl::add_merge_command(line);
                 sl::add_compare_command(line);

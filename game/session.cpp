@@ -11,9 +11,11 @@
 #include "engine/core/closest_name.h"
 #include "engine/core/error.h"
 #include "engine/core/field_list.h"
+#include "engine/core/json_text.h"
 #include "engine/core/model/read_model.h"
 #include "engine/core/text_file.h"
 #include "engine/ecs/query.h"
+#include "engine/ecs/scene_document.h"
 #include "engine/ecs/scene_file.h"
 #include "engine/ecs/set_field.h"
 #include "engine/ecs/systems/load_models.h"
@@ -34,7 +36,7 @@ std::filesystem::path scene_folder() {
 }
 
 std::string description_of(const std::filesystem::path& file) {
-    const auto json = nlohmann::json::parse(read_text_file(file, 64u << 20), nullptr, false);
+    const auto json = nlohmann::json::parse(without_comments(read_text_file(file, most_scene_bytes)), nullptr, false);
     return json.is_object() ? json.value("description", std::string()) : std::string();
 }
 
@@ -86,13 +88,18 @@ void choose_gi(App& app, const std::string& gi) {
     }
 }
 
-App open_scene(const SceneChoice& choice) {
+App empty_game() {
     App app;
     add_voxel_world(app);
     add_terrain_streaming(app);
     add_crystals(app);
     app.world.add_resource(FrameClock{});
     app.world.resource<ModelLibrary>().at_once = true;
+    return app;
+}
+
+App open_scene(const SceneChoice& choice) {
+    App app = empty_game();
     const std::filesystem::path path = scene_path(choice.scene);
     is_model(path) ? show_model(app, path) : read_scene(app.world, app.registry(), path);
     if (!choice.gi.empty()) choose_gi(app, choice.gi);

@@ -18,6 +18,9 @@ struct SceneChoice {
     std::vector<std::string> sets;   ///< "component.field=value", applied in order after `gi`
 };
 
+/// An engine with the game's plugins and an empty world, whose systems wait for the files that it will name.
+App empty_game();
+
 /// An engine with the game's plugins, holding the chosen scene, its systems run once. Throws Error.
 App open_scene(const SceneChoice& choice);
 

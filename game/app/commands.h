@@ -28,6 +28,7 @@ void add_bench_gi_command(const Flags& bench, const GlobalFlags& flags);
 void add_bench_rays_command(const Flags& bench);
 void add_export_command(const Flags& program);
 void add_inspect_command(const Flags& program);
+void add_schema_command(const Flags& program);
 void add_reference_command(const Flags& program);
 void add_merge_command(const Flags& program);
 /// Needs no context, so no flags.

@@ -5,7 +5,6 @@
 #include "engine/render/capture.h"
 #include "game/app/headless.h"
 #include "game/gi_presets.h"
-#include "game/voxel_content.h"
 
 namespace sl {
 
@@ -40,8 +39,7 @@ void print_rows(const std::string& component, const std::vector<FieldRow>& rows)
 }
 
 void list_settings() {
-    App app;
-    add_voxel_world(app);
+    App app = empty_game();
     for (const ComponentType& type : app.registry().types()) {
         if (type.name == "gi") continue;
         FieldLister lister;
