@@ -15,19 +15,6 @@ namespace {
 
 constexpr float fov_y = 1.0f, daylight_ev100 = 14.0f, lamplight_ev100 = 7.0f;
 
-/// Of all meshes, once the systems have run.
-Bounds bounds_of_meshes(World& world) {
-    Bounds bounds;
-    for (auto [entity, instance, transform] : Query<const MeshInstance, const WorldTransform>(world)) {
-        const MeshData* mesh = world.resource<MeshPool>().find(instance.mesh);
-        if (mesh == nullptr || mesh->bounds.empty()) continue;
-        mat4 place(transform.linear);
-        place[3] = vec4(vec3(transform.origin), 1.0f);
-        bounds.add(transformed(mesh->bounds, place));
-    }
-    return bounds;
-}
-
 template <class Light>
 bool any(World& world) {
     bool found = false;
@@ -63,6 +50,18 @@ Entity first_camera(World& world) {
 }
 
 }  // namespace
+
+Bounds bounds_of_meshes(World& world) {
+    Bounds bounds;
+    for (auto [entity, instance, transform] : Query<const MeshInstance, const WorldTransform>(world)) {
+        const MeshData* mesh = world.resource<MeshPool>().find(instance.mesh);
+        if (mesh == nullptr || mesh->bounds.empty()) continue;
+        mat4 place(transform.linear);
+        place[3] = vec4(vec3(transform.origin), 1.0f);
+        bounds.add(transformed(mesh->bounds, place));
+    }
+    return bounds;
+}
 
 void show_model(App& app, const std::filesystem::path& path) {
     World& world = app.world;
