@@ -95,6 +95,8 @@ void write_text_file(const std::filesystem::path& path, std::string_view text) {
     FileDescriptor file(::open(beside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
     if (file.number() < 0) fail_to_write(path, beside);
     if (!write_all(file.number(), text)) fail_to_write(path, beside);
+    // Whoever has no right to give files away writes one of their own. Before the mode, of which this may clear bits.
+    [[maybe_unused]] const int is_given = has_mode ? ::fchown(file.number(), old.st_uid, old.st_gid) : 0;
     if (has_mode && ::fchmod(file.number(), old.st_mode & 07777) != 0) fail_to_write(path, beside);
     if (::fsync(file.number()) != 0 || !file.close()) fail_to_write(path, beside);
     if (::rename(beside.c_str(), target.c_str()) != 0) fail_to_write(path, beside);

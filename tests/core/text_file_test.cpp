@@ -38,14 +38,20 @@ TEST_F(TextFile, ReadsWhatWasWritten) {
     EXPECT_EQ(files(), 1u);
 }
 
-TEST_F(TextFile, KeepsModeAndFollowsLinks) {
+TEST_F(TextFile, KeepsModeAndOwnerAndFollowsLinks) {
+    constexpr uid_t nobody = 65534;
     write_text_file(folder / "real", "old");
+    const uid_t owner = ::geteuid() == 0 ? nobody : ::geteuid();  // only root can give a file away
+    ASSERT_EQ(::chown((folder / "real").c_str(), owner, static_cast<gid_t>(-1)), 0);
     ::chmod((folder / "real").c_str(), 0640);
     fs::create_symlink("real", folder / "link");
     write_text_file(folder / "link", "new");
     EXPECT_TRUE(fs::is_symlink(folder / "link"));
     EXPECT_EQ(read_text_file(folder / "real", 100), "new");
     EXPECT_EQ(fs::status(folder / "real").permissions(), fs::perms(0640));
+    struct stat now {};
+    ASSERT_EQ(::stat((folder / "real").c_str(), &now), 0);
+    EXPECT_EQ(now.st_uid, owner);
 }
 
 TEST_F(TextFile, ErrorsNameTheFile) {
@@ -105,8 +111,12 @@ TEST_F(TextFile, AFullDiskLeavesTheOldFile) {
 }
 
 TEST_F(TextFile, WhatIsProtectedStaysAsItIs) {
-    write_text_file(folder / "a", "old");
+    write_text_file(folder / "a", "older");
     ::chmod((folder / "a").c_str(), 0666);
+    ::chmod(folder.c_str(), 0777);
+    EXPECT_EXIT(write_as_a_user(folder / "a"), testing::ExitedWithCode(0), "");
+    EXPECT_EQ(read_text_file(folder / "a", 100), "new");
+    write_text_file(folder / "a", "old");
     ::chmod(folder.c_str(), 0555);
     EXPECT_EXIT(write_as_a_user(folder / "a"), testing::ExitedWithCode(0), "/a: cannot be written: Permission denied");
     EXPECT_EXIT(write_as_a_user(folder / "b"), testing::ExitedWithCode(0), "/b: cannot be written: Permission denied");
