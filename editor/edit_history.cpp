@@ -7,6 +7,7 @@ namespace sl {
 
 void EditHistory::add(EditStep step) {
     end_gesture();
+    if (saved_ > done_) saved_.reset();
     steps_.resize(done_);
     steps_.push_back(std::move(step));
     ++done_;

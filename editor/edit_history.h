@@ -38,6 +38,12 @@ class EditHistory {
     /// undone one first.
     std::span<const EditStep> done() const { return std::span(steps_).first(done_); }
     std::span<const EditStep> undone() const { return std::span(steps_).subspan(done_); }
+    /// Whether a file holds the scene as it is: none was asked for, or all since the last mark was undone.
+    bool saved() const { return done_ == saved_; }
+    void mark_saved() {
+        end_gesture();
+        saved_ = done_;
+    }
     EntityKeys& keys() { return keys_; }
 
   private:
@@ -46,6 +52,7 @@ class EditHistory {
     EntityKeys keys_;
     std::vector<EditStep> steps_;
     std::size_t done_ = 0;
+    std::optional<std::size_t> saved_ = 0;  ///< of done_; none once that state cannot be reached any more
     bool in_gesture_ = false;
 };
 

@@ -76,6 +76,7 @@ Outcome save_scene(const EditedScene& scene, const std::string& path) {
         info.folder = std::filesystem::current_path() / references_folder(scene.world);
         info.path = path;
         scene.world.add_resource(std::move(info));
+        scene.history.mark_saved();
         return {fmt::format("saved {}", std::filesystem::absolute(path).string())};
     } catch (const std::exception& error) {
         return {error.what(), true};
@@ -93,18 +94,22 @@ Outcome reload_scene(const EditedScene& scene) {
         return {error.what(), true};
     }
     const std::vector<Entity> both = parents_first(scene.world);
-    SceneEdit edit(scene, fmt::format("reload {}", path.filename().string()));
-    for (const Entity entity : before | std::views::reverse) edit.destroy(entity);
-    for (const Entity entity : both) {
-        if (scene.world.alive(entity)) edit.adopt(entity);
+    {
+        SceneEdit edit(scene, fmt::format("reload {}", path.filename().string()));
+        for (const Entity entity : before | std::views::reverse) edit.destroy(entity);
+        for (const Entity entity : both) {
+            if (scene.world.alive(entity)) edit.adopt(entity);
+        }
     }
+    scene.history.mark_saved();
     return {fmt::format("read {}", path.string())};
 }
 
 void scene_file_bar(const EditedScene& scene, SceneFileBar& state) {
     // Not while somebody types: they may have emptied it to write another one.
     if (state.path.empty() && !ImGui::IsAnyItemActive()) state.path = usual_path(scene.world);
-    if (ImGui::Button("Save")) {
+    // Its name stays the same for ImGui, or the button would not keep its focus.
+    if (ImGui::Button(scene.history.saved() ? "Save###save" : "Save *###save")) {
         std::error_code ignored;
         if (std::filesystem::exists(state.path, ignored)) {
             state.lost = lost_by_replacing(state.path);
@@ -113,6 +118,7 @@ void scene_file_bar(const EditedScene& scene, SceneFileBar& state) {
             state.outcome = save_scene(scene, state.path);
         }
     }
+    if (!scene.history.saved() && ImGui::IsItemHovered()) ImGui::SetTooltip("There are changes that no file holds.");
     ImGui::SameLine();
     if (ImGui::Button("Reload")) state.outcome = reload_scene(scene);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Puts back what the scene's file holds; can be undone.");

@@ -4,6 +4,7 @@
 #include "engine/core/error.h"
 #include "engine/core/log.h"
 #include "game/app/commands.h"
+#include "game/app/own_process.h"
 
 namespace {
 
@@ -18,6 +19,7 @@ int run(int argc, char** argv) {
             [&](const sl::Flags& line) {
                 line.add("--context", flags.context, "Where OpenGL comes from: auto, window, egl (no display), osmesa (no GPU stack)");
                 line.add("--log", flags.log_level, "Least level of messages").one_of({"trace", "debug", "info", "warn", "error"});
+                line.toggle("--allow-outside", flags.outside_files, "Let models read buffers and pictures outside their own folder");
                 sl::add_play_command(line, flags);
                 sl::add_capture_command(line, flags);
                 sl::add_tour_command(line, flags);
@@ -40,7 +42,12 @@ int run(int argc, char** argv) {
                 sl::add_bench_rays_command(bench);
             },
         .unnamed = [] { return sl::has_display() ? "play" : "tour"; },
-        .prepare = [&] { sl::init_log(flags.log_level.c_str()); },
+        .prepare =
+            [&] {
+                sl::keep_little_memory();
+                sl::init_log(flags.log_level.c_str());
+                sl::allow_outside_files(flags.outside_files);
+            },
     };
     return program.run(argc, argv);
 }

@@ -36,12 +36,19 @@ bool glows(World& world) {
     return found;
 }
 
-/// From a little above and to the right, so far off that a ball round everything fits.
+/// From a little above and to the right, just so far off that the corners of a box round everything fit in a picture of 3 : 2 or wider.
 Transform place_to_see(const Bounds& bounds) {
     const vec3 forward = -glm::normalize(vec3(0.5f, 0.35f, 1.0f));
-    const float radius = std::max(bounds.radius(), 1e-3f);
-    const mat3 turn = glm::transpose(mat3(view_from_world(vec3(0.0f), forward, vec3(0, 1, 0))));
-    return {.translation = dvec3(bounds.centre() - forward * (1.05f * radius / std::sin(0.5f * fov_y))), .rotation = glm::normalize(glm::quat_cast(turn))};
+    const mat3 view_from_world_turn(view_from_world(vec3(0.0f), forward, vec3(0, 1, 0)));
+    const vec3 half = 0.5f * (bounds.high - bounds.low);
+    const float slope = std::tan(0.5f * fov_y);
+    float distance = 1e-3f;
+    for (int corner = 0; corner < 8; ++corner) {
+        const vec3 sign(corner & 1 ? 1.0f : -1.0f, corner & 2 ? 1.0f : -1.0f, corner & 4 ? 1.0f : -1.0f);
+        const vec3 seen = view_from_world_turn * (sign * half);
+        distance = std::max(distance, seen.z + std::max(std::abs(seen.y), std::abs(seen.x) / 1.5f) / slope);
+    }
+    return {.translation = dvec3(bounds.centre() - forward * (1.05f * distance)), .rotation = glm::normalize(glm::quat_cast(glm::transpose(view_from_world_turn)))};
 }
 
 Entity first_camera(World& world) {
@@ -63,16 +70,20 @@ Bounds bounds_of_meshes(World& world) {
     return bounds;
 }
 
-void show_model(App& app, const std::filesystem::path& path) {
+void add_model_scene(App& app, const std::filesystem::path& path) {
+    app.world.add_resource(SceneInfo{.description = path.filename().string(), .path = path});
+    app.world.create(Name{"model"}, Transform{}, ModelFile{.file = path.filename().string()});
+}
+
+void complete_model_scene(App& app) {
     World& world = app.world;
-    world.add_resource(SceneInfo{.description = path.filename().string(), .path = path});
-    world.create(Name{"model"}, Transform{}, ModelFile{.file = path.filename().string()});
-    app.schedule.run(world);
+    const std::filesystem::path path = world.resource<SceneInfo>().path;
     const Bounds bounds = bounds_of_meshes(world);
     const bool lit = any<DirectionalLight>(world) || any<SpotLight>(world) || any<PointLight>(world) || glows(world);
     if (!lit) {
         log::info("{}: it has no light, so a sun and a sky were added", path.string());
-        world.create(Name{"sun"}, Transform{}, DirectionalLight{.colour = vec3(1.0f, 0.96f, 0.9f)}, SunAngles{.azimuth = 0.6f, .elevation = 0.9f});
+        // Over the left shoulder of the camera below, so that what it sees is lit.
+        world.create(Name{"sun"}, Transform{}, DirectionalLight{.colour = vec3(1.0f, 0.96f, 0.9f)}, SunAngles{.azimuth = 3.5f, .elevation = 0.8f});
         world.create(Name{"sky"}, SkyLight{});
     }
     Entity camera = first_camera(world);

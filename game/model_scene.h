@@ -8,9 +8,12 @@
 
 namespace sl {
 
-/// Makes an empty world a scene that shows a model: with a camera that sees all of it where the file has none, and a sun and a sky
-/// where it has no light, which the log tells. Throws Error.
-void show_model(App& app, const std::filesystem::path& path);
+/// Makes an empty world a scene that is to show a model.
+void add_model_scene(App& app, const std::filesystem::path& path);
+
+/// Once the model is there: gives the scene a camera that sees all of it where the file has none, and a sun and a sky where it has
+/// no light, which the log tells.
+void complete_model_scene(App& app);
 
 /// In world space, of all meshes that are there once the systems have run.
 Bounds bounds_of_meshes(World& world);

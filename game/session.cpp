@@ -55,7 +55,11 @@ std::vector<std::string> preset_settings(const std::string& method, const std::s
     fail("the GI method {} has no preset '{}'; choose one of {}", method, preset, fmt::join(names, ", "));
 }
 
+ModelReading model_reading;
+
 }  // namespace
+
+void allow_outside_files(bool allowed) { model_reading.files_anywhere = allowed; }
 
 std::vector<SceneListing> scene_names() {
     std::vector<SceneListing> scenes;
@@ -94,18 +98,39 @@ App empty_game() {
     add_terrain_streaming(app);
     add_crystals(app);
     app.world.add_resource(FrameClock{});
-    app.world.resource<ModelLibrary>().at_once = true;
+    app.world.resource<ModelLibrary>().reading = model_reading;
     return app;
 }
 
-App open_scene(const SceneChoice& choice) {
-    App app = empty_game();
-    const std::filesystem::path path = scene_path(choice.scene);
-    is_model(path) ? show_model(app, path) : read_scene(app.world, app.registry(), path);
-    if (!choice.gi.empty()) choose_gi(app, choice.gi);
-    for (const std::string& assignment : choice.sets) set_field(app.world, app.registry(), assignment);
+bool SceneChoice::chooses_light() const {
+    return !gi.empty() || std::ranges::any_of(sets, [](const std::string& set) { return set.starts_with("gi."); });
+}
+
+SceneOpening::SceneOpening(SceneChoice choice) : app(empty_game()), choice_(std::move(choice)) {
+    const std::filesystem::path path = scene_path(choice_.scene);
+    is_model_ = is_model(path);
+    is_model_ ? add_model_scene(app, path) : read_scene(app.world, app.registry(), path);
+}
+
+bool SceneOpening::advance(bool wait) {
+    auto& library = app.world.resource<ModelLibrary>();
+    library.at_once = wait;
+    if (is_model_) {
+        app.schedule.run(app.world);
+        if (const auto faults = library.faults(); !faults.empty()) fail("{}", faults.front());
+        if (!library.being_read().empty()) return false;
+        complete_model_scene(app);
+    }
+    if (!choice_.gi.empty()) choose_gi(app, choice_.gi);
+    for (const std::string& assignment : choice_.sets) set_field(app.world, app.registry(), assignment);
     app.schedule.run(app.world);
-    return app;
+    return true;
+}
+
+App open_scene(const SceneChoice& choice) {
+    SceneOpening opening(choice);
+    opening.advance(true);
+    return std::move(opening.app);
 }
 
 }  // namespace sl

@@ -8,6 +8,7 @@
 #include "engine/ecs/active_camera.h"
 #include "engine/ecs/app.h"
 #include "engine/ecs/components.h"
+#include "engine/ecs/systems/load_models.h"
 
 namespace sl {
 
@@ -16,10 +17,35 @@ struct SceneChoice {
     std::string scene = "outdoor";   ///< a name from scene_names(), or the path of a scene file or model
     std::string gi;                  ///< "method" or "method:preset"; empty keeps the scene's own
     std::vector<std::string> sets;   ///< "component.field=value", applied in order after `gi`
+
+    /// Whether it says what indirect light is like.
+    bool chooses_light() const;
 };
 
-/// An engine with the game's plugins and an empty world, whose systems wait for the files that it will name.
+/// An engine with the game's plugins and an empty world.
 App empty_game();
+
+/// A scene on its way, in an engine with the game's plugins. It is there at once, but for a model, whose file is read on a thread
+/// of its own.
+class SceneOpening {
+  public:
+    /// Throws Error for what is wrong already.
+    explicit SceneOpening(SceneChoice choice);
+
+    /// Takes in what has been read, or waits for it; whether the scene is there, its systems run once. Throws Error where it
+    /// cannot be shown.
+    bool advance(bool wait);
+    std::vector<ModelBeingRead> being_read() const { return app.world.resource<ModelLibrary>().being_read(); }
+
+    App app;
+
+  private:
+    SceneChoice choice_;
+    bool is_model_;
+};
+
+/// Lets models of all scenes that are opened from now on name files outside their own folder: whoever runs the program says so.
+void allow_outside_files(bool allowed);
 
 /// An engine with the game's plugins, holding the chosen scene, its systems run once. Throws Error.
 App open_scene(const SceneChoice& choice);

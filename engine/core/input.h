@@ -4,6 +4,8 @@
 #include <array>
 #include <bitset>
 #include <cstddef>
+#include <filesystem>
+#include <vector>
 
 #include "engine/core/gamepad.h"
 
@@ -37,6 +39,7 @@ struct Input {
     float scroll = 0.0f;          ///< notches, away from the user
     bool mouse_captured = false;  ///< the pointer is hidden and turns the view
     Gamepad gamepad;
+    std::vector<std::filesystem::path> dropped;  ///< files that were let fall onto the window
     vec2 stick{0.0f};  ///< right and forward, -1 to 1: how far a gamepad's stick asks to walk, beside the keys
 
     bool down(Key key) const { return keys_down[static_cast<std::size_t>(key)]; }
@@ -66,6 +69,7 @@ struct Input {
     void next_frame() {
         keys_before = keys_down;
         keys_pressed.reset();
+        dropped.clear();
         buttons_pressed.reset();
         mouse_delta = vec2(0.0f);
         scroll = 0.0f;

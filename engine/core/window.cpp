@@ -5,6 +5,7 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
+#include <span>
 
 #include "engine/core/error.h"
 #include "engine/core/log.h"
@@ -96,6 +97,9 @@ struct Window::Callbacks {
     static void scroll(GLFWwindow* window, double, double y) {
         of(window).events_.scroll += static_cast<float>(y);
     }
+    static void drop(GLFWwindow* window, int count, const char** paths) {
+        for (const char* path : std::span(paths, static_cast<std::size_t>(count))) of(window).events_.dropped.emplace_back(path);
+    }
     static void focus(GLFWwindow* window, int focused) {
         if (focused == GLFW_FALSE) of(window).release_all();
     }
@@ -129,6 +133,7 @@ Window::Window(const WindowSettings& settings) : vsync_(settings.vsync) {
     glfwSetMouseButtonCallback(window_, &Callbacks::button);
     glfwSetCursorPosCallback(window_, &Callbacks::pointer);
     glfwSetScrollCallback(window_, &Callbacks::scroll);
+    glfwSetDropCallback(window_, &Callbacks::drop);
     glfwSetWindowFocusCallback(window_, &Callbacks::focus);
     glfwMakeContextCurrent(window_);
     set_vsync(vsync_);
@@ -147,7 +152,7 @@ Input Window::poll() {
         glfwWaitEventsTimeout(wait_while_unseen);
     }
     poll_gamepad();
-    const Input frame = events_;
+    Input frame = events_;
     events_.next_frame();
     return frame;
 }
@@ -172,6 +177,10 @@ bool Window::close_requested() const {
 }
 void Window::request_close() {
     glfwSetWindowShouldClose(window_, GLFW_TRUE);
+}
+
+void Window::stay_open() {
+    glfwSetWindowShouldClose(window_, GLFW_FALSE);
 }
 
 uvec2 Window::framebuffer_size() const {

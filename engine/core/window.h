@@ -38,6 +38,8 @@ class Window {
 
     bool close_requested() const;
     void request_close();
+    /// Takes that back, whoever asked for it.
+    void stay_open();
     /// Pixels; 0 x 0 while minimised on some systems.
     uvec2 framebuffer_size() const;
     /// Whether a frame would be seen: not minimised, not hidden, not empty.

@@ -137,7 +137,7 @@ int run_changes(const GlobalFlags& global, const ChangesFlags& flags) {
 void add_bench_changes_command(const Flags& bench, const GlobalFlags& global) {
     auto flags = std::make_shared<ChangesFlags>();
     const Flags command = bench.command("changes", "How soon indirect light follows when a block is placed, a torch or the sun moves, frame by frame as in a window");
-    command.add("--scene", flags->scenes, "Scenes to measure");
+    command.add("--scene,PATH", flags->scenes, "Scenes to measure");
     command.add("--gi", flags->gi, "GI method");
     command.add("--set", flags->sets, "component.field=value; repeatable");
     command.add("--size", flags->size, "WIDTHxHEIGHT in pixels");

@@ -81,7 +81,7 @@ int run_day(const GlobalFlags& global, const DayFlags& flags) {
 void add_bench_day_command(const Flags& bench, const GlobalFlags& global) {
     auto flags = std::make_shared<DayFlags>();
     const Flags command = bench.command("day", "How far indirect light stays behind a sun that moves, by the steps that it takes (NRMSE)");
-    command.add("--scene", flags->scene, "Scene with a day");
+    command.add("--scene,PATH", flags->scene, "Scene with a day");
     command.add("--gi", flags->gi, "GI method");
     command.add("--set", flags->sets, "component.field=value; repeatable");
     command.add("--size", flags->size, "WIDTHxHEIGHT in pixels");

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <map>
+#include <ranges>
 
 #include "engine/core/clock.h"
 #include "engine/ecs/components.h"
@@ -31,43 +32,73 @@ void print_part(const std::string& name, std::vector<double> frames, const World
     if (frames.empty()) return;
     std::ranges::sort(frames);
     const auto at = [&](double share) { return 1e3 * frames[static_cast<std::size_t>(share * static_cast<double>(frames.size() - 1))]; };
-    fmt::print("{:<14}{:>8}{:>10.1f}{:>10.1f}{:>10.1f}{:>10}{:>10.0f}\n", name, frames.size(), at(0.5), at(0.99), at(1.0), world.resource<MeshPool>().size(), resident_megabytes());
+    fmt::print("{:<14}{:>8}{:>10.1f}{:>10.1f}{:>10.1f}{:>10}{:>10.0f}{:>10.0f}\n", name, frames.size(), at(0.5), at(0.99), at(1.0), world.resource<MeshPool>().size(), allocated_megabytes(), resident_megabytes());
     std::fflush(stdout);
 }
 
-/// Frames that a player notices, but for the first, which waits for all that is near.
-void print_long_frames(std::span<const double> frames) {
-    constexpr double noticed = 0.25;
-    std::string list;
-    for (std::size_t i = 1; i < frames.size(); ++i) {
-        if (frames[i] > noticed) list += fmt::format("{}{:.0f} ms (frame {})", list.empty() ? "" : ", ", 1e3 * frames[i], i + 1);
+/// What one frame did, by name: its systems, its passes, and the rest of it.
+std::map<std::string, double> parts_of(BenchWindow& window, double milliseconds) {
+    std::map<std::string, double> parts;
+    double known = 0.0;
+    for (const SystemTiming& system : window.app.schedule.timings()) {
+        parts[fmt::format("system {}", system.name)] += 1e3 * system.seconds;
+        known += 1e3 * system.seconds;
     }
-    fmt::print("\nover {:.0f} ms: {}\n", 1e3 * noticed, list.empty() ? "none" : list);
+    for (const gl::SpanTime& pass : pass_times(window.renderer.executor().finished_timings())) {
+        parts[pass.name] += pass.milliseconds;
+        known += pass.milliseconds;
+    }
+    parts["the rest"] = milliseconds - known;
+    return parts;
 }
 
-/// How much of all frames each kind of pass took, and how often it ran.
-class PassTotals {
+/// Where the time of all frames went, and that of the frames that a player notices.
+class FrameParts {
   public:
-    void add(std::span<const gl::SpanTime> spans) {
-        for (const gl::SpanTime& span : pass_times(spans)) {
-            Total& total = totals_[span.name];
-            total.milliseconds += span.milliseconds;
+    void add(double milliseconds, std::map<std::string, double> parts) {
+        ++frames_;
+        for (const auto& [name, part] : parts) {
+            Total& total = totals_[name];
+            total.milliseconds += part;
             ++total.frames;
         }
+        // The first waits for all that is near.
+        if (milliseconds > noticed && frames_ > 1) long_.push_back({frames_, milliseconds, std::move(parts)});
     }
-    void print(std::size_t frames) const {
-        fmt::print("\n{:<24}{:>16}{:>16}\n", "pass", "ms per frame", "% of frames");
+    /// Each long frame with what took longer in it than it does on average.
+    void print_long() const {
+        fmt::print("\nover {:.0f} ms: {}\n", noticed, long_.empty() ? "none" : "");
+        for (const LongFrame& frame : long_) {
+            std::vector<std::pair<double, std::string>> more;
+            for (const auto& [name, part] : frame.parts) more.emplace_back(part - mean(name), name);
+            std::ranges::sort(more, std::greater{});
+            std::string list;
+            for (const auto& [excess, name] : more | std::views::take(4)) list += fmt::format("{}{} +{:.0f}", list.empty() ? "" : ", ", name, excess);
+            fmt::print("frame {}: {:.0f} ms; over the mean: {}\n", frame.number, frame.milliseconds, list);
+        }
+    }
+    void print() const {
+        fmt::print("\n{:<32}{:>16}{:>16}\n", "part", "ms per frame", "% of frames");
         for (const auto& [name, total] : totals_) {
-            const auto count = static_cast<double>(frames);
-            fmt::print("{:<24}{:>16.2f}{:>16.1f}\n", name, total.milliseconds / count, 100.0 * total.frames / count);
+            if (mean(name) >= 0.01) fmt::print("{:<32}{:>16.2f}{:>16.1f}\n", name, mean(name), 100.0 * total.frames / static_cast<double>(frames_));
         }
     }
 
   private:
+    static constexpr double noticed = 250.0;
     struct Total {
         double milliseconds = 0.0, frames = 0.0;
     };
+    struct LongFrame {
+        std::size_t number;
+        double milliseconds;
+        std::map<std::string, double> parts;
+    };
+    double mean(const std::string& name) const { return totals_.at(name).milliseconds / static_cast<double>(frames_); }
+
     std::map<std::string, Total> totals_;
+    std::vector<LongFrame> long_;
+    std::size_t frames_ = 0;
 };
 
 int run_flight(const GlobalFlags& global, const FlightFlags& flags) {
@@ -78,9 +109,9 @@ int run_flight(const GlobalFlags& global, const FlightFlags& flags) {
     auto& place = world.get<Transform>(active_camera(world));
     place.translation.x += flags.from;
     place.translation.y = flags.height;
-    fmt::print("{}\n{:<14}{:>8}{:>10}{:>10}{:>10}{:>10}{:>10}\n", headless.context->renderer(), "flown, s", "frames", "median ms", "p99 ms", "worst ms", "meshes", "MB");
+    fmt::print("{}\n{:<14}{:>8}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}\n", headless.context->renderer(), "flown, s", "frames", "median ms", "p99 ms", "worst ms", "meshes", "in use MB", "held MB");
     std::vector<double> frames, all;
-    PassTotals passes;
+    FrameParts parts;
     constexpr double part = 10.0;
     double part_end = part;
     for (const auto start = Watch::now(); seconds_since(start) < flags.seconds;) {
@@ -89,7 +120,7 @@ int run_flight(const GlobalFlags& global, const FlightFlags& flags) {
         // A window waits here as well.
         glFinish();
         frames.push_back(seconds_since(frame_start));
-        passes.add(window.renderer.executor().finished_timings());
+        parts.add(1e3 * frames.back(), parts_of(window, 1e3 * frames.back()));
         all.push_back(frames.back());
         world.resource<FrameClock>().step = frames.back();
         world.get<Transform>(active_camera(world)).translation.x += flags.speed * frames.back();
@@ -98,8 +129,8 @@ int run_flight(const GlobalFlags& global, const FlightFlags& flags) {
         part_end += part;
     }
     print_part("all", all, world);
-    print_long_frames(all);
-    passes.print(all.size());
+    parts.print_long();
+    parts.print();
     headless.check_errors();
     return 0;
 }
@@ -109,7 +140,7 @@ int run_flight(const GlobalFlags& global, const FlightFlags& flags) {
 void add_bench_flight_command(const Flags& bench, const GlobalFlags& global) {
     auto flags = std::make_shared<FlightFlags>();
     const Flags command = bench.command("flight", "Frame times and memory while the camera flies straight ahead over endless terrain, which comes as in a window");
-    command.add("--scene", flags->scene, "Scene to fly over");
+    command.add("--scene,PATH", flags->scene, "Scene to fly over");
     command.add("--gi", flags->gi, "GI method");
     command.add("--size", flags->size, "WIDTHxHEIGHT in pixels");
     command.add("--speed", flags->speed, "m/s; a block is half a metre").within(0.0, 1000.0);

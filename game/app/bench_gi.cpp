@@ -301,7 +301,7 @@ void add_bench_gi_command(const Flags& bench, const GlobalFlags& global) {
     auto flags = std::make_shared<GiBenchFlags>();
     const Flags command = bench.command("gi", "Speed against error of every GI method, into CSV, JSON and an HTML report; about an hour without a GPU");
     command.toggle("--quick", flags->quick, "A minute: small pictures, few settings");
-    command.add("--scene", flags->scenes, "Scenes to measure instead of the plan's; repeatable");
+    command.add("--scene,PATH", flags->scenes, "Scenes to measure instead of the plan's; repeatable");
     command.add("--gi", flags->methods, "Methods to measure instead of all; repeatable");
     command.add("--size", flags->size, "WIDTHxHEIGHT in pixels instead of the plan's");
     command.add("--rounds", flags->rounds, "Times that all candidates take turns; 0: the plan's");

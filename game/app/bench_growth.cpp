@@ -117,7 +117,7 @@ void add_bench_growth_command(const Flags& bench, const GlobalFlags& global) {
     const Flags command = bench.command("growth", "How the time and memory of GI grow with pixels, lights, the world and edits; minutes to an hour without a GPU");
     command.add("--gi", flags->methods, "GI methods; repeatable");
     command.add("--set", flags->sets, "component.field=value, for each method; repeatable");
-    command.add("--scene", flags->scene, "Scene in which pixels, lights and edits grow; the world grows in hills of its own");
+    command.add("--scene,PATH", flags->scene, "Scene in which pixels, lights and edits grow; the world grows in hills of its own");
     command.add("--size", flags->size, "WIDTHxHEIGHT in pixels where not pixels grow");
     command.add("--only", flags->only, "One of them alone").one_of({"pixels", "lights", "world", "edits"});
     command.add("--minutes", flags->minutes, "What takes longer is given up, and what is larger is left out").within(0.01, 1e6);

@@ -106,7 +106,7 @@ int run_motion(const GlobalFlags& global, const MotionFlags& flags) {
 void add_bench_motion_command(const Flags& bench, const GlobalFlags& global) {
     auto flags = std::make_shared<MotionFlags>();
     const Flags command = bench.command("motion", "How much indirect light flickers on the surfaces of a still scene while the camera moves along a path");
-    command.add("--scene", flags->scenes, "Scenes to measure");
+    command.add("--scene,PATH", flags->scenes, "Scenes to measure");
     command.add("--gi", flags->methods, "GI methods");
     command.add("--set", flags->sets, "component.field=value, for each method; repeatable");
     command.add("--size", flags->size, "WIDTHxHEIGHT in pixels");

@@ -121,7 +121,7 @@ int run_onoff(const GlobalFlags& global, const BenchFlags& flags) {
 void add_bench_onoff_command(const Flags& bench, const GlobalFlags& global) {
     auto flags = std::make_shared<BenchFlags>();
     const Flags command = bench.command("onoff", "Frame time with GI off and on, alternating in one process, camera turning");
-    command.add("--scene", flags->scenes, "Scenes to measure");
+    command.add("--scene,PATH", flags->scenes, "Scenes to measure");
     command.add("--gi", flags->gi, "GI method of the on side; default: the scene's own");
     command.add("--set", flags->sets, "component.field=value for the on side; repeatable");
     command.add("--size", flags->size, "WIDTHxHEIGHT in pixels");

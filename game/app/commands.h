@@ -11,6 +11,7 @@ namespace sl {
 struct GlobalFlags {
     std::string context = "auto";
     std::string log_level = "info";
+    bool outside_files = false;
 };
 
 /// Each adds one subcommand. The flags outlive the parse.

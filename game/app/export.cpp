@@ -84,7 +84,7 @@ void add_export_command(const Flags& program) {
     command.footer("Everything else in the scene stays as it is: lights, sky, camera, crystals. Such a file is a scene like any other: `play --scene FILE`\n"
                    "makes a world of it, and other scenes may include it.");
     command.add("--world", flags->world, "World file");
-    command.add("--scene", flags->scene, scene_flag_help);
+    command.add("--scene,PATH", flags->scene, scene_flag_help);
     command.add("--entity", flags->entity, "Name of the entity whose blocks are wanted");
     command.add("--low", flags->low, "X,Y,Z of the lowest block; default: of all blocks that there are");
     command.add("--high", flags->high, "X,Y,Z, each one past the highest block");

@@ -33,6 +33,7 @@ constexpr ImU32 alarming = IM_COL32(255, 150, 90, 255);
 class TextBox {
   public:
     void line(const std::string& text, ImU32 colour = plain) { lines_.push_back({text, colour}); }
+    bool empty() const { return lines_.empty(); }
 
     /// With the ground around them.
     ImVec2 size() const {
@@ -125,6 +126,22 @@ void message(const std::string& text, ImVec2 point, ImU32 colour, int darkness =
     box.draw(point, ImVec2(0.5f, 0.5f), darkness);
 }
 
+std::string reading_text(const ModelBeingRead& model) {
+    const std::string name = model.file.filename().string();
+    if (model.pictures == 0) return fmt::format("reading {}, {:.0f} s", name, model.seconds);
+    std::string text = fmt::format("reading {}: {} of {} pictures", name, model.decoded, model.pictures);
+    if (model.decoded > 0) text += fmt::format(", about {:.0f} s left", std::ceil(model.seconds * static_cast<double>(model.pictures - model.decoded) / static_cast<double>(model.decoded)));
+    return text;
+}
+
+/// Models on their way, and those that cannot be shown, in the lower left corner.
+void draw_models(const ModelLibrary& library, const HudInput& input, ImVec2 corner) {
+    TextBox box;
+    for (const ModelBeingRead& model : input.being_read) box.line(reading_text(model));
+    for (const std::string& fault : library.faults()) box.line(fault, alarming);
+    if (!box.empty()) box.draw(corner, ImVec2(0, 1), 190);
+}
+
 /// The keys, and beside them how the panel works, where the screen is wide enough for both.
 void draw_help(const KeyBindings& bindings) {
     const ImGuiViewport& screen = *ImGui::GetMainViewport();
@@ -148,6 +165,8 @@ void draw_hud(App& app, const HudInput& input) {
     if (!input.help) status(app, input).draw(ImVec2(gap, gap), ImVec2(0, 0));
     if (!input.failure.empty()) {
         message(input.failure, centre, alarming);
+    } else if (input.placeholder) {
+        message(input.being_read.empty() ? "getting ready" : reading_text(input.being_read.front()), centre, plain);
     } else if (!input.frame.drawn) {
         message(
             "This scene has no active camera, so there is nothing to see.\n"
@@ -159,11 +178,13 @@ void draw_hud(App& app, const HudInput& input) {
         draw_hotbar(app.world);
         draw_crystal_search(app.world);
     }
+    const ImVec2 lower_left(gap, screen.Size.y - gap);
+    if (!input.placeholder) draw_models(app.world.resource<ModelLibrary>(), input, lower_left);
     if (!input.shader_errors.empty()) {
         TextBox box;
         box.line("A shader is broken; the last good one is in use.", alarming);
         for (const std::string& error : input.shader_errors) box.line(error, alarming);
-        box.draw(ImVec2(gap, screen.Size.y - gap), ImVec2(0, 1), 190);
+        box.draw(lower_left, ImVec2(0, 1), 190);
     }
     if (const auto* saved = app.world.find_resource<SavedWorld>(); saved != nullptr && !saved->file->status().problem.empty()) {
         const WorldFile::Status status = saved->file->status();

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "engine/ecs/app.h"
+#include "engine/ecs/systems/load_models.h"
 #include "engine/render/renderer.h"
 #include "game/settings/key_bindings.h"
 
@@ -35,6 +36,8 @@ struct HudInput {
     bool click_measures = false;  ///< and does not capture the mouse
     std::span<const std::string> shader_errors;
     std::string failure;  ///< why there is no picture; empty when there is one
+    std::vector<ModelBeingRead> being_read;
+    bool placeholder = false;  ///< the scene only stands for one that is being read
 };
 
 /// Text at the top left, crosshair, notice, and, when asked, the list of keys; behind all widgets.

@@ -79,6 +79,7 @@ std::set<std::string> model_warnings(World& world) {
 void inspect_scene(const std::filesystem::path& path) {
     App app = empty_game();
     World& world = app.world;
+    world.resource<ModelLibrary>().at_once = true;
     const auto files = read_scene_document(path).paths;
     read_scene(world, app.registry(), path);
     const auto& info = world.resource<SceneInfo>();

@@ -22,6 +22,12 @@ App open_game(PlaySettings settings) {
         settings.scene.scene = file->scene();
     }
     App app = open_scene(settings.scene);
+    make_playable(app);
+    if (file) attach_world(app, std::move(file));
+    return app;
+}
+
+void make_playable(App& app) {
     // What is near is there; from now on nothing waits for the rest.
     app.world.resource<TerrainView>().at_once = false;
     app.world.resource<ModelLibrary>().at_once = false;
@@ -31,8 +37,6 @@ App open_game(PlaySettings settings) {
     add_player(app);
     add_flashlight(app);
     app.world.emplace_resource<LightMeter>();
-    if (file) attach_world(app, std::move(file));
-    return app;
 }
 
 void make_world(App& app, const PlaySettings& settings) {

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "game/app/own_process.h"
 
+#include <malloc.h>
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <fstream>
 #include <optional>
+#include <thread>
 
 namespace sl {
 
@@ -96,11 +99,22 @@ std::string in_own_process(const std::function<std::string()>& work, double seco
     return text->substr(1);
 }
 
+void keep_little_memory() {
+    constexpr int large_block = 1 << 20;
+    mallopt(M_MMAP_THRESHOLD, large_block);  // which stops it from rising by itself
+    mallopt(M_ARENA_MAX, static_cast<int>(std::max(2u, std::thread::hardware_concurrency())));
+}
+
 double resident_megabytes() {
     std::ifstream file("/proc/self/statm");
     double total = 0.0, resident = 0.0;
     file >> total >> resident;
     return 1e-6 * resident * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+double allocated_megabytes() {
+    const struct mallinfo2 info = mallinfo2();
+    return 1e-6 * static_cast<double>(info.uordblks + info.hblkhd);
 }
 
 }  // namespace sl

@@ -19,7 +19,14 @@ class LimitReached : public Error {
 /// the work's own, and LimitReached when it takes longer than `seconds` or leaves this machine almost no memory.
 std::string in_own_process(const std::function<std::string()>& work, double seconds);
 
-/// Memory of this process that is in use, in MB of 10⁶ bytes.
+/// Lets the C library keep little of what is given back to it: large blocks go back to the system, and threads share few heaps.
+/// By its own rules a long flight holds ever more. Before threads start.
+void keep_little_memory();
+
+/// Memory that this process holds, in MB of 10⁶ bytes.
 double resident_megabytes();
+
+/// What of it was asked for and not given back, in MB of 10⁶ bytes; the rest is kept by the allocator, and code.
+double allocated_megabytes();
 
 }  // namespace sl

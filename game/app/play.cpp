@@ -56,7 +56,7 @@ int run_play(const GlobalFlags& global, PlayFlags flags) {
 void add_play_command(const Flags& program, const GlobalFlags& global) {
     auto flags = std::make_shared<PlayFlags>();
     const Flags command = program.command("play", "Open the game in a window (H lists the keys)");
-    command.add("--scene", flags->scene, scene_flag_help);
+    command.add("--scene,PATH", flags->scene, scene_flag_help);
     add_setting_flags(command, flags->settings.scene);
     command.add("--world", flags->world, "World file that keeps all changes; without it and --scene, valley.world in ~/.local/share/secondlight/worlds");
     command.toggle("--new", flags->new_world, "Make that world, from --scene or the valley of the crystals in endless land");

@@ -46,8 +46,19 @@ class Play {
     void show_menu();
     void choose_world(const WorldChoice& choice);
     void open_wanted_world();
+    /// Files that were dropped onto the window: a world, a scene or a model.
+    void open_dropped(const std::vector<std::filesystem::path>& files);
+    /// Begins to open a model while what is there goes on.
+    void begin_opening(PlaySettings next);
+    /// Throws Error where it cannot be opened and there is nothing else to show.
+    void go_on_opening();
+    void log_model_faults();
+    /// Whether what the panel changed may be lost: kept in a file, or asked for twice.
+    bool may_leave(const std::string& wish);
     /// Throws Error, and leaves the old world as it is where the new one cannot be opened.
     void change_world(const WorldChoice& choice);
+    /// Nothing can fail from here on.
+    void show_instead(App app, PlaySettings settings);
     /// Keys of the window itself, which also work while a widget has the keyboard.
     void window_keys(Input& input);
     void capture_on_click(Input& input);
@@ -72,6 +83,14 @@ class Play {
     HeldOver held_over_;
     std::optional<WorldChoice> wanted_world_;
     int frames_until_opened_ = 0;  ///< while the menu says which world is being opened
+    struct Opening {
+        SceneOpening scene;
+        PlaySettings settings;
+    };
+    std::optional<Opening> opening_;
+    std::vector<std::string> model_faults_;  ///< that the log knows
+    bool placeholder_ = false;  ///< what is shown only stands for what is being opened
+    std::string asked_;         ///< for what may_leave was asked last
     RenderScene scene_;
     Renderer::Result result_;
     uvec2 picture_size_{0};

@@ -29,10 +29,6 @@ WindowSettings window_settings(WindowSettings window, const PictureSettings& pic
     return window;
 }
 
-bool chooses_light(const SceneChoice& scene) {
-    return !scene.gi.empty() || std::ranges::any_of(scene.sets, [](const std::string& set) { return set.starts_with("gi."); });
-}
-
 std::filesystem::file_time_type newest_change(const std::filesystem::path& folder) {
     auto newest = std::filesystem::file_time_type::min();
     std::error_code ignored;
@@ -51,22 +47,24 @@ std::size_t method_index(const RenderScene& scene) {
 Play::Play(const PlaySettings& settings)
     : settings_(settings),
       user_(settings_path()),
-      app_(open_game(settings)),
+      app_(open_game(opens_in_background(settings) ? placeholder_of(settings) : settings)),
       window_(window_settings(settings.window, user_.values().picture)),
       context_(gl::create_context(gl::ContextKind::window, window_.native())),
       widgets_(window_) {
     renderer_.emplace(shader_folder());
     user_.override_render_scale(settings_.render_scale);
-    user_.enter(app_, !chooses_light(settings_.scene));
+    user_.enter(app_, !settings_.scene.chooses_light());
     menu_.folder = worlds_folder();
     // Last: no file is left behind by a game that does not begin.
     if (settings_.new_world) make_world(app_, settings_);
+    placeholder_ = opens_in_background(settings_);
+    if (placeholder_) begin_opening(settings_);
 }
 
 void Play::run() {
     std::uint64_t drawn = 0;
     last_frame_ = Clock::now();
-    while (!window_.close_requested()) {
+    while (!window_.close_requested() || !may_leave("close")) {
         frame();
         if (window_.drawable() && ++drawn == settings_.max_frames) break;
     }
@@ -79,7 +77,9 @@ void Play::run() {
 
 void Play::frame() {
     open_wanted_world();
+    go_on_opening();
     Input input = window_.poll();
+    open_dropped(input.dropped);
     steer_menu(input);
     const double seconds = step_clock();
     window_keys(input);
@@ -92,6 +92,7 @@ void Play::frame() {
     // Figures and truths need a light that rests.
     app_.world.resource<DayPause>().on = editor_.open;
     app_.schedule.run(app_.world);
+    log_model_faults();
     auto& notice = app_.world.resource<Notice>();
     notice.seconds_left = std::max(0.0, notice.seconds_left - seconds);
 
@@ -207,7 +208,9 @@ void Play::show(uvec2 window_size) {
                     .mouse_captured = window_.mouse_captured(),
                     .click_measures = editor_.open && editor_.see.picks,
                     .shader_errors = renderer_->executor().programs().errors(),
-                    .failure = failure_ ? failure_->text : ""});
+                    .failure = failure_ ? failure_->text : "",
+                    .being_read = opening_ ? opening_->scene.being_read() : app_.world.resource<ModelLibrary>().being_read(),
+                    .placeholder = placeholder_});
     draw_compare_bar(editor_.compare, editor_.scale);
     if (editor_.open && !menu_.is_open()) editor_panel(app_, panel_report(), editor_);
     show_menu();

@@ -82,13 +82,17 @@ void Play::change_world(const WorldChoice& choice) {
     App app = open_game(next);
     if (next.new_world) make_world(app, next);
     user_.enter(app, true);
-    // Nothing can fail from here on: until now the old world went on.
-    settings_ = next;
+    show_instead(std::move(app), std::move(next));
+}
+
+void Play::show_instead(App app, PlaySettings settings) {
+    settings_ = std::move(settings);
     app_ = std::move(app);
     renderer_.emplace(shader_folder());
     result_ = {};
     failure_.reset();
     editor_ = {};
+    placeholder_ = false;
     last_frame_ = Clock::now();
 }
 

@@ -42,6 +42,8 @@ WorldEntry entry_of(const std::filesystem::directory_entry& file, const WorldFil
 
 }  // namespace
 
+bool is_world_file(const std::filesystem::path& path) { return path.extension() == ending; }
+
 std::vector<WorldEntry> list_worlds(const std::filesystem::path& folder, const WorldFile* open) {
     std::vector<WorldEntry> worlds;
     std::error_code ignored;

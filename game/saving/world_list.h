@@ -19,6 +19,9 @@ struct WorldEntry {
 /// The worlds of a folder, the last played first. No file is written to. `open` is the one that this game has open, or null.
 std::vector<WorldEntry> list_worlds(const std::filesystem::path& folder, const WorldFile* open);
 
+/// Whether a path is that of a world, by its ending.
+bool is_world_file(const std::filesystem::path& path);
+
 /// Where a world of that name lies, or would.
 std::filesystem::path world_path(const std::filesystem::path& folder, const std::string& name);
 

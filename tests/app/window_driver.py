@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """A display of its own (Xvfb), the game on it driven with xdotool, and what screenshots (ImageMagick) show."""
 import os
+import pathlib
 import shutil
 import subprocess
 import time
@@ -147,13 +148,22 @@ class Game:
             return previous if same else None
         return self.wait(f"'{name}' stands still", attempt)
 
-    def quit(self):
+    def drop(self, *files):
+        """Files from a file manager; Debian's own Python knows the package python3-xlib."""
+        script = pathlib.Path(__file__).with_name("drop_files.py")
+        done = run("/usr/bin/python3", str(script), self.window, *map(str, files), env=self.env, timeout=PATIENCE)
+        check(done.returncode == 0, f"the window takes {files[0].name} ({done.stderr.strip()[-300:]})")
+
+    def quit(self, unsaved=False, expected_errors=()):
         self.xdotool("windowfocus", self.window)
         self.xdotool("key", "ctrl+q")
+        if unsaved:
+            self.wait("what no file holds is not left at once", lambda: "nothing was left" in self.log())
+            self.xdotool("key", "ctrl+q")
         code = self.process.wait(PATIENCE)
         log = self.log()
         check(code == 0, f"Ctrl+Q ends '{self.scene}' with code 0 (got {code}; {log.strip()[-300:]})")
-        bad = [line for line in log.splitlines() if "error" in line.lower()]
+        bad = [line for line in log.splitlines() if "error" in line.lower() and not any(text in line for text in expected_errors)]
         check(not bad, f"its log has no errors {bad}")
 
     def kill(self):
@@ -176,6 +186,12 @@ class Game:
 def brightness(path, part):
     """Mean grey of a part of a picture, 0 to 1."""
     out = run("convert", path, "-crop", part, "+repage", "-colorspace", "Gray", "-format", "%[fx:mean]", "info:")
+    return float(out.stdout)
+
+
+def redness(path, part):
+    """Mean of red less green in a part of a picture, -1 to 1."""
+    out = run("convert", path, "-crop", part, "+repage", "-format", "%[fx:mean.r-mean.g]", "info:")
     return float(out.stdout)
 
 

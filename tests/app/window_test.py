@@ -3,13 +3,15 @@
 
 window_test.py PROGRAM FOLDER: screenshots and logs stay in FOLDER. Exits with 77 where a tool is missing.
 """
+import base64
 import json
 import pathlib
 import shutil
+import struct
 import sys
 import time
 
-from window_driver import PATIENCE, TOOLS, Game, Screen, brightness, check, difference, run, size_of
+from window_driver import PATIENCE, TOOLS, Game, Screen, brightness, check, difference, redness, run, size_of
 
 
 def play_cornell(screen, program, folder):
@@ -150,8 +152,7 @@ def edit_settings(screen, program, folder):
         game.shot_when("undone", "one Ctrl+Z undoes the whole drag", lambda p: difference(before, p, picture) < 0.002)
         game.xdotool("key", "ctrl+y")
         game.shot_when("done_again", "Ctrl+Y does it again", stronger)
-        game.xdotool("key", "ctrl+z")
-        game.quit()
+        game.quit(unsaved=True)
 
 
 def look_into_the_frame(screen, program, folder):
@@ -342,6 +343,39 @@ def refuse(screen, program):
     check(done.returncode == 1 and "window" in done.stderr, f"nor does it open without one ({done.stderr.strip()})")
 
 
+def square_model(path, colour):
+    """A glTF file that shows a square, 2 m wide, facing +z, in one colour."""
+    corners = struct.pack("<12f", -1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0)
+    data = corners + struct.pack("<6H", 0, 1, 2, 0, 2, 3)
+    path.write_text(json.dumps({
+        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "material": 0}]}],
+        "materials": [{"pbrMetallicRoughness": {"baseColorFactor": [*colour, 1], "metallicFactor": 0}}],
+        "buffers": [{"byteLength": len(data), "uri": "data:application/octet-stream;base64," + base64.b64encode(data).decode()}],
+        "bufferViews": [{"buffer": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 12}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3", "min": [-1, -1, 0], "max": [1, 1, 0]},
+                      {"bufferView": 1, "componentType": 5123, "count": 6, "type": "SCALAR"}]}))
+    return path
+
+
+def open_files(screen, program, folder):
+    print("models: from the command line, and dropped onto the window", flush=True)
+    middle, files = "100x60+190+105", folder / "files"
+    files.mkdir(parents=True, exist_ok=True)
+    red, broken = square_model(files / "red.gltf", (0.9, 0.05, 0.05)), files / "broken.glb"
+    broken.write_bytes(b"glTF but nothing more")
+    done = run(program, "play", str(broken), env=screen.env, timeout=PATIENCE)
+    check(done.returncode == 1 and "broken.glb" in done.stderr, f"a broken model ends the game with its name ({done.stderr.strip()[-200:]})")
+    with Game(screen, program, folder / "models", str(red), "--size", "480x270") as game:
+        game.shot_when("red", "the red square is seen, in the sun", lambda p: redness(p, middle) > 0.2)
+        game.drop(files / "broken.glb")
+        game.wait("the log tells what is wrong with it", lambda: "broken.glb" in game.log())
+        game.shot_when("still_red", "and the square stays", lambda p: redness(p, middle) > 0.2)
+        game.drop(square_model(files / "green.gltf", (0.05, 0.9, 0.05)))
+        game.shot_when("green", "a green square takes its place", lambda p: redness(p, middle) < -0.2)
+        game.quit(expected_errors=("broken.glb",))
+
+
 def main():
     program, folder = str(pathlib.Path(sys.argv[1]).absolute()), pathlib.Path(sys.argv[2]).absolute()
     missing = [tool for tool in TOOLS if not shutil.which(tool)]
@@ -363,6 +397,7 @@ def main():
         keep_a_world(screen, program, folder)
         change_settings(screen, program, folder)
         change_worlds(screen, program, folder)
+        open_files(screen, program, folder)
     return 0
 
 

@@ -72,15 +72,24 @@ TEST_F(LoadModelsTest, AFileThatCannotBeShownStopsAPictureAndNotAWindow) {
     const Entity entity = add(folder / "nowhere.glb");
     EXPECT_THROW(app.schedule.run(app.world), Error);
     app.world.resource<ModelLibrary>().at_once = false;
-    for (int frame = 0; frame < 3; ++frame) app.schedule.run(app.world);
+    const auto run_until = [&](auto&& done) {
+        for (int frame = 0; frame < 500 && !done(); ++frame) {
+            app.schedule.run(app.world);
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        }
+    };
+    auto& library = app.world.resource<ModelLibrary>();
+    run_until([&] { return !library.faults().empty(); });
+    ASSERT_EQ(library.faults().size(), 1u);
+    EXPECT_NE(library.faults().front().find("nowhere.glb"), std::string::npos) << library.faults().front();
     EXPECT_EQ(meshes(), 0u);
-    app.world.get<ModelFile>(entity).file = write().string();
-    for (int frame = 0; frame < 500 && meshes() == 0; ++frame) {
-        app.schedule.run(app.world);
-        std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    }
+    std::filesystem::rename(write(), folder / "nowhere.glb");
+    run_until([&] { return meshes() > 0; });
     EXPECT_EQ(meshes(), 2u) << "once there is one, it comes";
-    EXPECT_EQ(app.world.resource<ModelLibrary>().loading(), 0u);
+    EXPECT_TRUE(library.faults().empty() && library.being_read().empty());
+    app.world.get<ModelFile>(entity).file = "elsewhere.glb";
+    run_until([&] { return !library.faults().empty(); });
+    EXPECT_EQ(meshes(), 0u) << "what it was is gone";
 }
 
 }  // namespace

@@ -54,6 +54,23 @@ TEST_F(EditHistoryTest, AGestureIsOneStep) {
     EXPECT_EQ(lamp().intensity, 300.0f);
 }
 
+TEST_F(EditHistoryTest, KnowsWhetherAFileHoldsTheScene) {
+    EXPECT_TRUE(scene_.history.saved()) << "nothing was done";
+    drag_intensity_to("20");
+    EXPECT_FALSE(scene_.history.saved());
+    scene_.history.mark_saved();
+    drag_intensity_to("300");
+    EXPECT_FALSE(scene_.history.saved()) << "what goes on after saving is a step of its own";
+    scene_.undo();
+    EXPECT_TRUE(scene_.history.saved());
+    scene_.undo();
+    EXPECT_FALSE(scene_.history.saved());
+    drag_intensity_to("1");
+    scene_.undo();
+    scene_.redo();
+    EXPECT_FALSE(scene_.history.saved()) << "what was saved cannot be reached any more";
+}
+
 TEST_F(EditHistoryTest, AGestureThatEndsWhereItBeganIsNone) {
     drag_intensity_to("1");
     drag_intensity_to(fmt::format("{}", SpotLight{}.intensity));

@@ -41,8 +41,27 @@ void add_light(World& world, Entity entity, const ModelLight& light) {
 
 }  // namespace
 
-std::size_t ModelLibrary::loading() const {
-    return static_cast<std::size_t>(std::ranges::count_if(files_, [](const auto& entry) { return entry.second.coming.valid(); }));
+ModelLibrary::~ModelLibrary() {
+    // What is being read is waited for, so let it be short.
+    for (auto& [path, loaded] : files_) loaded.progress->unwanted = true;
+}
+
+std::vector<ModelBeingRead> ModelLibrary::being_read() const {
+    std::vector<ModelBeingRead> all;
+    for (const auto& [path, loaded] : files_) {
+        if (!loaded.coming.valid()) continue;
+        const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - loaded.since;
+        all.push_back({.file = path, .pictures = loaded.progress->pictures, .decoded = loaded.progress->decoded, .seconds = seconds.count()});
+    }
+    return all;
+}
+
+std::vector<std::string> ModelLibrary::faults() const {
+    std::vector<std::string> all;
+    for (const auto& [path, loaded] : files_) {
+        if (!loaded.fault.empty()) all.push_back(loaded.fault);
+    }
+    return all;
 }
 
 std::filesystem::path model_path(const World& world, const ModelFile& file) {
@@ -62,12 +81,21 @@ class ModelLoader {
             if (parts == nullptr || !parts->made || !shows_the_same(parts->made_by, file)) wanted.emplace_back(entity, file);
         }
         for (const auto& [entity, file] : wanted) show(entity, file);
+        forget_faults(wanted);
     }
 
   private:
     using Loaded = ModelLibrary::Loaded;
 
     static bool shows_the_same(const ModelFile& a, const ModelFile& b) { return a.file == b.file && a.scene == b.scene; }
+
+    /// Of files that nobody asks for any more, as those whose name was still being typed.
+    void forget_faults(std::span<const std::pair<Entity, ModelFile>> wanted) {
+        std::erase_if(library_.files_, [&](const auto& entry) {
+            const auto asks = [&](const auto& one) { return model_path(world_, one.second) == entry.first; };
+            return !entry.second.fault.empty() && std::ranges::none_of(wanted, asks);
+        });
+    }
 
     void show(Entity entity, const ModelFile& file) {
         if (const auto* before = world_.find<ModelParts>(entity); before != nullptr && !shows_the_same(before->made_by, file)) drop(entity);
@@ -82,12 +110,15 @@ class ModelLoader {
     }
 
     Loaded& loaded_file(const std::filesystem::path& path) {
+        std::error_code missing;
+        const auto written = std::filesystem::last_write_time(path, missing);
         const auto [entry, fresh] = library_.files_.try_emplace(path);
         Loaded& loaded = entry->second;
-        if (fresh) {
-            loaded.coming = std::async(std::launch::async, [path, reading = library_.reading] {
+        if (fresh || (!loaded.fault.empty() && loaded.written != written)) {
+            loaded = {.since = std::chrono::steady_clock::now(), .written = written};
+            loaded.coming = std::async(std::launch::async, [path, reading = library_.reading, progress = loaded.progress] {
                 ModelLibrary::Read read{.model = read_model(path, reading), .pictures = {}};
-                read.pictures = model_pictures(read.model);
+                read.pictures = model_pictures(read.model, *progress);
                 return read;
             });
         }
@@ -102,7 +133,6 @@ class ModelLoader {
             loaded.model = std::make_shared<const Model>(std::move(read.model));
         } catch (const std::exception& error) {
             loaded.fault = error.what();
-            if (!library_.at_once) log::error("{}", loaded.fault);
         }
         return loaded;
     }

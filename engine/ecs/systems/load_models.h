@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <chrono>
 #include <future>
 #include <map>
 #include <memory>
@@ -13,15 +14,29 @@
 
 namespace sl {
 
-/// The model files that entities show, each loaded once; a resource. Files are read on a thread of their own.
+/// A file that is being read.
+struct ModelBeingRead {
+    std::filesystem::path file;
+    std::size_t pictures = 0, decoded = 0;  ///< 0 pictures: the file itself is being read
+    double seconds = 0.0;                   ///< since it began
+};
+
+/// The model files that entities show, each loaded once; a resource. Files are read on a thread of their own. One that could
+/// not be read is tried again once it has changed.
 class ModelLibrary {
   public:
+    ModelLibrary() = default;
+    ~ModelLibrary();
+    ModelLibrary(ModelLibrary&&) = default;
+    ModelLibrary& operator=(ModelLibrary&&) = default;
+
     /// What is shown waits for its files, as pictures have to; a window shows the rest meanwhile.
     bool at_once = false;
     ModelReading reading;
 
-    /// Files that are being read.
-    std::size_t loading() const;
+    std::vector<ModelBeingRead> being_read() const;
+    /// Why files cannot be shown, a line each; for whoever shows the rest to tell.
+    std::vector<std::string> faults() const;
 
   private:
     friend class ModelLoader;
@@ -30,6 +45,9 @@ class ModelLibrary {
         ModelPictures pictures;
     };
     struct Loaded {
+        std::chrono::steady_clock::time_point since{};
+        std::filesystem::file_time_type written{};  ///< when it was, as it was read
+        std::shared_ptr<ModelProgress> progress = std::make_shared<ModelProgress>();
         std::future<Read> coming;
         std::shared_ptr<const Model> model;
         std::string fault;  ///< why there is none
@@ -61,7 +79,7 @@ struct ModelPart {
 };
 
 /// Reads the files of new ModelFiles, and makes and removes the entities that show them. Throws Error where the library's
-/// `at_once` is set and a file cannot be shown; else the log tells.
+/// `at_once` is set and a file cannot be shown.
 void load_models(World& world);
 
 /// Where a model's file is.

@@ -76,12 +76,13 @@ std::uint32_t size_of(const Model& model, const std::vector<Wanted::Key>& wanted
     return size;
 }
 
-TextureLayers layers_of(const Model& model, const std::vector<Wanted::Key>& wanted, PictureKind kind, std::uint64_t most_bytes, std::vector<std::string>& warnings) {
+TextureLayers layers_of(const Model& model, const std::vector<Wanted::Key>& wanted, PictureKind kind, std::uint64_t most_bytes, ModelProgress& progress, std::vector<std::string>& warnings) {
     TextureLayers layers{.size = size_of(model, wanted, most_bytes), .layers = {}};
     layers.mips = picture_mips(layers.size);
     layers.layers.resize(wanted.size());
     std::vector<std::string> faults(wanted.size());
     tbb::parallel_for(std::size_t{0}, wanted.size(), [&](std::size_t i) {
+        if (progress.unwanted) return;
         Picture picture;
         try {
             picture = decode_picture(model.images[static_cast<std::size_t>(wanted[i].first)]);
@@ -89,6 +90,7 @@ TextureLayers layers_of(const Model& model, const std::vector<Wanted::Key>& want
             faults[i] = error.what();
         }
         layers.layers[i] = picture_layer(picture, layers.size, kind, !wanted[i].second);
+        ++progress.decoded;
     });
     for (const std::string& fault : faults) {
         if (!fault.empty()) warnings.push_back(fault + "; it is white");
@@ -123,13 +125,14 @@ std::uint32_t append(std::shared_ptr<const TextureLayers>& to, const TextureLaye
 
 }  // namespace
 
-ModelPictures model_pictures(const Model& model, std::uint64_t most_bytes) {
+ModelPictures model_pictures(const Model& model, ModelProgress& progress, std::uint64_t most_bytes) {
     ModelPictures pictures;
     Wanted colours, data;
     for (const ModelMaterial& material : model.materials) pictures.materials.push_back(params_of(material, colours, data, pictures.warnings));
-    const std::size_t all = std::max<std::size_t>(colours.order().size() + data.order().size(), 1);
-    pictures.colours = layers_of(model, colours.order(), PictureKind::colour, most_bytes * colours.order().size() / all, pictures.warnings);
-    pictures.data = layers_of(model, data.order(), PictureKind::data, most_bytes * data.order().size() / all, pictures.warnings);
+    progress.pictures = colours.order().size() + data.order().size();
+    const std::size_t all = std::max<std::size_t>(progress.pictures, 1);
+    pictures.colours = layers_of(model, colours.order(), PictureKind::colour, most_bytes * colours.order().size() / all, progress, pictures.warnings);
+    pictures.data = layers_of(model, data.order(), PictureKind::data, most_bytes * data.order().size() / all, progress, pictures.warnings);
     for (auto& params : pictures.materials) {
         if (params) params->alpha.z = 0.5f / static_cast<float>(std::min(pictures.colours.size, pictures.data.layers.empty() ? pictures.colours.size : pictures.data.size));
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <atomic>
 #include <map>
 
 #include "engine/core/model/picture.h"
@@ -18,8 +19,14 @@ struct ModelPictures {
     std::vector<std::string> warnings;
 };
 
+/// How far the reading of a model has come, told by the threads that read to the one that shows it.
+struct ModelProgress {
+    std::atomic<std::size_t> pictures{0}, decoded{0};  ///< 0 pictures: the file itself is being read
+    std::atomic<bool> unwanted{false};                 ///< set by who does not wait any more: what is left is left out
+};
+
 /// Decodes what a model's materials read. A picture that cannot be decoded is white, and a warning tells. Of any thread.
-ModelPictures model_pictures(const Model& model, std::uint64_t most_bytes = most_picture_bytes);
+ModelPictures model_pictures(const Model& model, ModelProgress& progress, std::uint64_t most_bytes = most_picture_bytes);
 
 /// Adds a model's layers to a world's, made as large as the larger of both; returns how far its layers have moved: colours, data.
 std::pair<std::uint32_t, std::uint32_t> add_pictures(PictureTable& table, const ModelPictures& pictures);
