@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <random>
 
 #include "tests/core/every_field.h"
 
@@ -48,6 +49,22 @@ TEST(JsonText, CommentsAreBlankedOutWhereTheyStand) {
     for (const char* text : {"", "/", "{\"a\": \"// no\"}", R"(["\\\"/* no */", 1])", "1 / 2", "*/", "/*", "/* no end *"}) EXPECT_EQ(without_comments(text), text);
     EXPECT_EQ(error_of([] { parse_json(without_comments("[1, /* two\n lines */ x]"), "x.json"); }).substr(0, 12), "x.json:2:11:");
     EXPECT_TRUE(error_of([] { parse_json(without_comments("[1 /* ]"), "x.json"); }).starts_with("x.json:1:4: "));
+}
+
+TEST(JsonText, CommentsAreWhatTheLibraryTakesForThem) {
+    constexpr std::string_view bytes = "\"\\/*\n a1,[]{}:";
+    std::mt19937 random(1);
+    std::size_t documents = 0;
+    for (int round = 0; round < 100'000; ++round) {
+        std::string text(random() % 24, ' ');
+        for (char& c : text) c = bytes[random() % bytes.size()];
+        const auto theirs = ordered_json::parse(text, nullptr, false, true), ours = ordered_json::parse(without_comments(text), nullptr, false);
+        ASSERT_EQ(ours.is_discarded(), theirs.is_discarded()) << text;
+        if (theirs.is_discarded()) continue;
+        ASSERT_EQ(ours, theirs) << text;
+        ++documents;
+    }
+    EXPECT_GT(documents, 500u);
 }
 
 TEST(JsonText, ACommentHidesNoDepth) {
