@@ -20,6 +20,7 @@ constexpr std::array codes{
     CodeEntry{"ACCESSOR_ANIMATION_INPUT_NON_INCREASING", "the one before it"},
     CodeEntry{"ACCESSOR_ANIMATION_SAMPLER_OUTPUT_NON_NORMALIZED_QUATERNION", "quaternion of length"},
     CodeEntry{"ACCESSOR_ELEMENT_OUT_OF_MAX_BOUND", "the elements' is"},
+    CodeEntry{"ACCESSOR_ELEMENT_OUT_OF_MIN_BOUND", "the elements' is"},
     CodeEntry{"ACCESSOR_INDEX_OOB", "leads to vertex"},
     CodeEntry{"ACCESSOR_INDEX_PRIMITIVE_RESTART", "would begin a new primitive"},
     CodeEntry{"ACCESSOR_INVALID_FLOAT", "no finite numbers"},
