@@ -64,7 +64,7 @@ TEST(GltfFile, JsonThatOthersTakeInDifferentWays) {
     EXPECT_THAT(gltf_faults("\xef\xbb\xbf" + smallest), IsOnly("note byte 0", "byte order mark"));
     EXPECT_THAT(gltf_faults(container(chunk("JSON", smallest + std::string(4 - smallest.size() % 4, '\0')))),
                 Contains(HasSubstr("padded with zeros")));
-    EXPECT_THAT(gltf_faults(smallest + '\0' + smallest), IsOnly(fmt::format("fatal byte {}", smallest.size()), "a zero stands"));
+    EXPECT_THAT(gltf_faults(smallest + '\0' + smallest), IsOnly(fmt::format("fatal byte {}", smallest.size()), "a zero byte stands"));
     EXPECT_THAT(gltf_faults(R"({"asset": {"version": "2.0"}, "asset": {"version": "2.0"}})"),
                 IsOnly("note ", "the key 'asset' twice"));
     EXPECT_THAT(gltf_faults(document_with(R"("extras": 1e400)")), Contains(HasSubstr("number overflow")));
@@ -76,17 +76,23 @@ TEST(GltfFile, DeepNesting) {
         return document_with("\"extras\": " + std::string(depth, '[') + std::string(depth, ']'));
     };
     EXPECT_THAT(gltf_faults(nested(511)), IsEmpty());
-    EXPECT_THAT(gltf_faults(nested(512)), IsOnly("fatal ", "deeper than 512"));
-    EXPECT_THAT(gltf_faults(std::string(10'000'000, '[')), IsOnly("fatal ", "deeper than 512"));
+    EXPECT_THAT(gltf_faults(nested(512)), IsOnly("fatal byte 551", "deeper than 512"));
+    EXPECT_THAT(gltf_faults(std::string(10'000'000, '[')), IsOnly("fatal byte 512", "deeper than 512"));
     std::string objects;
     for (int i = 0; i < 100'000; ++i) objects += "{\"a\":";
-    EXPECT_THAT(gltf_faults(objects), IsOnly("fatal ", "deeper than 512"));
+    EXPECT_THAT(gltf_faults(objects), IsOnly("fatal byte 2560", "deeper than 512"));
 }
 
 TEST(GltfFile, LongArraysTakeTimeInProportion) {
     std::string nodes = "\"nodes\": [{}";
     for (int i = 1; i < 300'000; ++i) nodes += ",{}";
     EXPECT_THAT(faults_with(nodes + "]"), IsEmpty());
+}
+
+TEST(GltfFile, JsonThatWouldFillTheMemoryIsRefused) {
+    std::string empty = "[0";
+    for (int i = 0; i < 5'000'000; ++i) empty += ",[]";
+    EXPECT_THAT(faults_with("\"extras\": " + empty + "]"), IsOnly("fatal byte 0", "more values than are read"));
 }
 
 TEST(GltfFile, BytesChangedAtRandomDoNotCrash) {
