@@ -53,8 +53,8 @@ TEST(JsonText, BuildsWhatStandsThere) {
 }
 
 TEST(JsonText, LongArraysTakeTimeInProportion) {
-    std::string text = "[0";
-    for (int i = 1; i < 1'000'000; ++i) text += ",0";
+    std::string text = "[{}";
+    for (int i = 1; i < 1'000'000; ++i) text += ",{}";
     EXPECT_EQ(parse_json(text + "]", "x.json").size(), 1'000'000u);
 }
 
