@@ -20,7 +20,7 @@ struct GltfChecked {
 };
 
 /// The whole sequence: container, structure, meaning, buffers, data, images. Each step only follows where the one before
-/// it has no fatal fault. Throws nothing but std::bad_alloc and what `load` throws; takes time in proportion to what it
+/// it has no fatal fault. Throws nothing but std::bad_alloc; takes time in proportion to what it
 /// reads. `supported` is as for check_gltf_structure; `bytes` must outlive what is returned.
 GltfChecked check_gltf(std::span<const std::byte> bytes, const GltfLoad& load,
                        std::span<const std::string_view> supported = {});

@@ -6,6 +6,7 @@
 
 #include "engine/core/gltf/gltf_key_check.h"
 #include "engine/core/gltf/gltf_range_check.h"
+#include "engine/core/gltf/gltf_resources.h"
 #include "engine/core/gltf/gltf_value.h"
 #include "engine/core/gltf/gltf_vertex_check.h"
 
@@ -17,9 +18,6 @@ namespace {
 
 using Ranges = std::vector<std::optional<GltfRange>>;
 
-constexpr double most_times_stored = 16.0;
-constexpr double most_bytes_of_nothing = 256.0 * (1 << 20);
-
 /// In double: the sum of absurd counts overflows whole numbers.
 bool is_affordable(const GltfLayout& layout, GltfElements::Buffers buffers, std::size_t stored_bytes, GltfFaults& faults) {
     double bytes = 0.0;
@@ -27,8 +25,7 @@ bool is_affordable(const GltfLayout& layout, GltfElements::Buffers buffers, std:
         const bool is_known = !accessor.view || !buffers[layout.views[*accessor.view].buffer].empty();
         if (is_known) bytes += static_cast<double>(accessor.count) * static_cast<double>(accessor.format.packed_bytes());
     }
-    const double most = most_times_stored * static_cast<double>(stored_bytes) + most_bytes_of_nothing;
-    if (bytes <= most) return true;
+    if (bytes <= static_cast<double>(most_gltf_bytes(stored_bytes))) return true;
     faults.fatal("/accessors", "hold {:.0f} bytes together, of {} that are stored", bytes, stored_bytes);
     return false;
 }

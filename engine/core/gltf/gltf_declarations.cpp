@@ -65,11 +65,11 @@ void check_version(const json& asset, GltfFaults& faults) {
     const std::string* least = text_of("minVersion");
     if (!version) return;
     if (version_numbers(*version).first != 2) {
-        faults.fatal("/asset/version", "is {}; this program reads 2.0", for_message(*version));
+        faults.fatal("/asset/version", "is '{}'; this program reads 2.0", for_message(*version));
     }
     if (!least) return;
     if (version_numbers(*least) > version_numbers(*version)) {
-        faults.fatal("/asset/minVersion", "is {}, later than the version {}", for_message(*least), for_message(*version));
+        faults.fatal("/asset/minVersion", "is '{}', later than the version '{}'", for_message(*least), for_message(*version));
     }
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "engine/core/gltf/gltf_tolerance.h"
 #include "engine/core/gltf/gltf_value.h"
@@ -98,20 +99,20 @@ class Scenes {
             faults_.note(fmt::format("/scenes/{}/nodes/{}", scene, k), "node {} is no root: it is a child of node {}", node,
                          tree_.parent(node));
         }
-        for (const json& root : roots) check_skins(scene, *gltf_whole_number(root));
+        for (const json& root : roots) {
+            // Of scenes that share a root only the first is looked at: the time would be their product.
+            const auto skinned = std::exchange(skinned_under_[*gltf_whole_number(root)], {});
+            for (const std::size_t node : skinned) check_skin(scene, node);
+        }
     }
 
   private:
-    void check_skins(std::size_t scene, std::size_t root) {
-        for (const std::size_t node : skinned_under_[root]) {
-            // Scenes may share their roots: without an end, the time would be their product.
-            if (!faults_.takes_notes()) return;
-            const std::size_t skin = *gltf_find_whole(gltf_list(document_, "nodes")[node], "skin");
-            const json& joints = gltf_list(gltf_list(document_, "skins")[skin], "joints");
-            if (joints.empty() || scene_of_root_[tree_.root(*gltf_whole_number(joints[0]))] == scene) continue;
-            faults_.note(fmt::format("/nodes/{}/skin", node), "the joints of skin {} are not in scene {}, as the node is",
-                         skin, scene);
-        }
+    void check_skin(std::size_t scene, std::size_t node) {
+        if (!faults_.takes_notes()) return;
+        const std::size_t skin = *gltf_find_whole(gltf_list(document_, "nodes")[node], "skin");
+        const json& joints = gltf_list(gltf_list(document_, "skins")[skin], "joints");
+        if (joints.empty() || scene_of_root_[tree_.root(*gltf_whole_number(joints[0]))] == scene) return;
+        faults_.note(fmt::format("/nodes/{}/skin", node), "the joints of skin {} are not in scene {}, as the node is", skin, scene);
     }
 
     const json& document_;

@@ -2,6 +2,7 @@
 #include "engine/core/gltf/gltf_resources.h"
 
 #include "engine/core/closest_name.h"
+#include "engine/core/error.h"
 #include "engine/core/gltf/gltf_image_header.h"
 #include "engine/core/gltf/gltf_uri.h"
 #include "engine/core/gltf/gltf_value.h"
@@ -35,7 +36,7 @@ GltfResources::Bytes GltfResources::read_buffer(const json& buffer, std::optiona
     Bytes bytes = binary.value_or(Bytes());
     bool is_there = binary.has_value();
     if (const auto uri = buffer.find("uri"); uri != buffer.end()) {
-        const Found found = find(uri->get_ref<const std::string&>(), load);
+        const Found found = find(uri->get_ref<const std::string&>(), load, GltfPlace(place, "uri"));
         bytes = found.bytes;
         is_there = bytes.data() != nullptr;
         if (!found.fault.empty()) faults.fatal(place.text() + "/uri", "{}", found.fault);
@@ -56,7 +57,7 @@ GltfResources::Bytes GltfResources::read_buffer(const json& buffer, std::optiona
 GltfResources::Bytes GltfResources::read_image(const json& image, const json& views, const GltfLoad& load,
                                                const GltfPlace& place, GltfFaults& faults) {
     if (const auto uri = image.find("uri"); uri != image.end()) {
-        const Found found = find(uri->get_ref<const std::string&>(), load);
+        const Found found = find(uri->get_ref<const std::string&>(), load, GltfPlace(place, "uri"));
         if (!found.fault.empty()) faults.note(place.text() + "/uri", "{}", found.fault);
         const std::string_view told = gltf_text_at(image, "mimeType");
         const bool is_picture = gltf_image_kind_of(found.media_type) != GltfImageKind::unknown;
@@ -76,11 +77,11 @@ GltfResources::Bytes GltfResources::read_image(const json& image, const json& vi
     return buffer.subspan(offset, length);
 }
 
-GltfResources::Found GltfResources::find(const std::string& text, const GltfLoad& load) {
+GltfResources::Found GltfResources::find(const std::string& text, const GltfLoad& load, const GltfPlace& place) {
     GltfUri uri = read_gltf_uri(text);
     switch (uri.kind) {
         case GltfUri::Kind::invalid: return {.fault = fmt::format("'{}' is no URI", for_message(text))};
-        case GltfUri::Kind::absolute: return {};
+        case GltfUri::Kind::absolute: elsewhere_.push_back(place.text()); return {};
         case GltfUri::Kind::data: {
             // A media type is optional; without one the data are a text.
             const std::string type = uri.media_type.empty() ? "text/plain" : uri.media_type;
@@ -93,14 +94,20 @@ GltfResources::Found GltfResources::find(const std::string& text, const GltfLoad
         case GltfUri::Kind::relative: break;
     }
     if (!load) return {};
-    const auto [file, is_new] = files_.try_emplace(uri.path);
+    const auto [entry, is_new] = files_.try_emplace(uri.path);
+    File& file = entry->second;
     if (is_new) {
-        file->second = load(uri.path);
-        stored_bytes_ += file->second ? file->second->size() : 0;
+        try {
+            file.bytes = load(uri.path);
+        } catch (const Error& error) {
+            file.fault = error.what();
+        }
+        stored_bytes_ += file.bytes.size();
+        // An address even where there are no bytes.
+        file.bytes.reserve(1);
     }
-    if (!file->second) return {.fault = fmt::format("there is no file '{}'", for_message(text))};
-    file->second->reserve(1);
-    return {.bytes = *file->second};
+    if (!file.fault.empty()) return {.fault = file.fault};
+    return {.bytes = file.bytes};
 }
 
 }  // namespace sl

@@ -16,8 +16,12 @@
 namespace sl {
 
 /// Bytes of a file beside the document. The path is relative, its escapes are resolved, and it may be anything: who
-/// loads decides which folders it may lead to. Nothing where there is no such file.
-using GltfLoad = std::function<std::optional<std::vector<std::byte>>(const std::string& path)>;
+/// loads decides which folders it may lead to. Throws Error that names the file where it is not read.
+using GltfLoad = std::function<std::vector<std::byte>(const std::string& path)>;
+
+/// What may be made of so many stored bytes: many parts of a document may refer to the same, and elements that are all zeros
+/// are not stored. A short file must not take long, nor much memory.
+constexpr std::size_t most_gltf_bytes(std::size_t stored) { return 16 * stored + (std::size_t{1} << 27); }
 
 /// What a document's buffers and images hold. Moving keeps the spans valid.
 class GltfResources {
@@ -43,6 +47,9 @@ class GltfResources {
     const std::vector<Bytes>& buffers() const { return buffers_; }
     /// Undecoded; empty where the bytes are not there.
     const std::vector<Bytes>& images() const { return images_; }
+    /// Where the document refers to what is no file beside it, such as "http://x/a.png": "/images/0/uri". It may, and nobody
+    /// looks for that.
+    const std::vector<std::string>& elsewhere() const { return elsewhere_; }
     /// Of everything, where what serves twice counts once.
     std::size_t stored_bytes() const { return stored_bytes_; }
 
@@ -53,14 +60,19 @@ class GltfResources {
         std::string media_type;
     };
 
-    Found find(const std::string& uri, const GltfLoad& load);
+    Found find(const std::string& uri, const GltfLoad& load, const GltfPlace& place);
     Bytes read_buffer(const nlohmann::json& buffer, std::optional<Bytes> binary, const GltfLoad& load,
                       const GltfPlace& place, GltfFaults& faults);
     Bytes read_image(const nlohmann::json& image, const nlohmann::json& views, const GltfLoad& load,
                      const GltfPlace& place, GltfFaults& faults);
 
     std::vector<Bytes> buffers_, images_;
-    std::map<std::string, std::optional<std::vector<std::byte>>> files_;  ///< each is loaded once
+    std::vector<std::string> elsewhere_;
+    struct File {
+        std::string fault;
+        std::vector<std::byte> bytes;
+    };
+    std::map<std::string, File> files_;  ///< each is loaded once
     std::deque<std::vector<std::byte>> decoded_;
     std::size_t stored_bytes_ = 0;
 };

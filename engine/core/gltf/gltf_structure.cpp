@@ -21,7 +21,7 @@ namespace {
 std::string_view article_and_kind(GltfKind kind) {
     switch (kind) {
         case GltfKind::boolean: return "true or false";
-        case GltfKind::whole: return "a whole number from 0 up";
+        case GltfKind::whole: return "a whole number from 0 to 2^53 - 1";
         case GltfKind::number: return "a number";
         case GltfKind::text: return "a text";
         case GltfKind::object: return "an object";
@@ -276,7 +276,7 @@ class Structure {
 void check_gltf_structure(const json& document, GltfFaults& faults, std::span<const std::string_view> supported) {
     const GltfPlace root;
     if (!document.is_object()) {
-        faults.fatal("", "must be an object, not {}", shown(document));
+        faults.fatal("", "the document must be an object, not {}", shown(document));
         return;
     }
     // First, for it explains the rest.

@@ -31,7 +31,7 @@ TEST(GltfFile, WhatIsNoFile) {
     EXPECT_THAT(gltf_faults(""), IsOnly("fatal byte 0", "empty"));
     EXPECT_THAT(gltf_faults(std::string(12, '\0')), IsOnly("fatal byte 0", "neither a container"));
     EXPECT_THAT(gltf_faults("{]"), IsOnly("fatal byte 1", "is no JSON"));
-    EXPECT_THAT(gltf_faults("[]"), IsOnly("fatal ", "must be an object, not an array"));
+    EXPECT_THAT(gltf_faults("[]"), IsOnly("fatal ", "the document must be an object, not an array"));
     EXPECT_THAT(gltf_faults("{}"), IsOnly("fatal ", "the document has no \"asset\""));
 }
 
@@ -90,9 +90,9 @@ TEST(GltfFile, LongArraysTakeTimeInProportion) {
 }
 
 TEST(GltfFile, JsonThatWouldFillTheMemoryIsRefused) {
-    std::string empty = "[0";
-    for (int i = 0; i < 5'000'000; ++i) empty += ",[]";
-    EXPECT_THAT(faults_with("\"extras\": " + empty + "]"), IsOnly("fatal byte 0", "more values than are read"));
+    std::string small = "[0";
+    for (int i = 0; i < 1'800'000; ++i) small += ",{\"\":0}";
+    EXPECT_THAT(faults_with("\"extras\": " + small + "]"), IsOnly("fatal byte 0", "more values than are read"));
 }
 
 TEST(GltfFile, BytesChangedAtRandomDoNotCrash) {

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <map>
 
+#include "engine/core/error.h"
 #include "engine/core/gltf/gltf_check.h"
 
 namespace sl {
@@ -28,9 +29,9 @@ using Files = std::map<std::string, std::string>;
 
 /// "fatal /nodes/0: message" for each fault of a file with others beside it.
 inline std::vector<std::string> gltf_faults(std::string_view file, const Files& beside = {}) {
-    const auto load = [&](const std::string& path) -> std::optional<std::vector<std::byte>> {
+    const auto load = [&](const std::string& path) {
         const auto found = beside.find(path);
-        if (found == beside.end()) return std::nullopt;
+        if (found == beside.end()) fail("{}: there is no such file", path);
         const auto bytes = bytes_of(found->second);
         return std::vector<std::byte>(bytes.begin(), bytes.end());
     };

@@ -69,7 +69,7 @@ TEST(GltfImage, AgainstTheDocument) {
     EXPECT_THAT(with(webp, R"("mimeType": "image/webp")", extension + R"({"source": 0}])"), IsOnly("note /textures/0/source", "must be image/png or image/jpeg"));
     EXPECT_THAT(with(png, R"("mimeType": "image/png")", extension + R"({"extensions": {"EXT_texture_webp": {"source": 0}}}])"),
                 IsOnly("note /textures/0/extensions/EXT_texture_webp/source", "must be image/webp"));
-    EXPECT_THAT(faults_with(R"("images": [{"uri": "none.png"}])"), IsOnly("note /images/0/uri", "there is no file"));
+    EXPECT_THAT(faults_with(R"("images": [{"uri": "none.png"}])"), IsOnly("note /images/0/uri", "there is no such file"));
     EXPECT_THAT(faults_with(R"("images": [{"uri": "data:image/gif;base64,AAAA"}])"), Contains(HasSubstr("'image/gif'")));
 }
 

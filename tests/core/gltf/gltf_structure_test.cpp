@@ -11,7 +11,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 TEST(GltfStructure, Types) {
-    EXPECT_THAT(faults_with(R"("scene": "hello")"), IsOnly("fatal /scene", "a whole number from 0 up, not 'hello'"));
+    EXPECT_THAT(faults_with(R"("scene": "hello")"), IsOnly("fatal /scene", "a whole number from 0 to 2^53 - 1, not 'hello'"));
     EXPECT_THAT(faults_with(R"("scene": -1)"), IsOnly("fatal /scene", "not -1"));
     EXPECT_THAT(faults_with(R"("scene": 0.5)"), IsOnly("fatal /scene", "not 0.5"));
     EXPECT_THAT(faults_with(R"("samplers": {})"), IsOnly("fatal /samplers", "must be an array, not an object"));
@@ -109,9 +109,9 @@ TEST(GltfStructure, RequiredExtensions) {
 TEST(GltfStructure, Versions) {
     const auto with = [](std::string_view asset) { return gltf_faults(fmt::format(R"({{"asset": {{{}}}}})", asset)); };
     EXPECT_THAT(with(R"("version": "2.1", "minVersion": "2.0")"), IsEmpty());
-    EXPECT_THAT(with(R"("version": "1.0")"), IsOnly("fatal /asset/version", "is 1.0; this program reads 2.0"));
+    EXPECT_THAT(with(R"("version": "1.0")"), IsOnly("fatal /asset/version", "is '1.0'; this program reads 2.0"));
     EXPECT_THAT(with(R"("version": "2")"), IsOnly("fatal /asset/version", "must be a version"));
-    EXPECT_THAT(with(R"("version": "2.0", "minVersion": "2.1")"), IsOnly("fatal /asset/minVersion", "later than the version 2.0"));
+    EXPECT_THAT(with(R"("version": "2.0", "minVersion": "2.1")"), IsOnly("fatal /asset/minVersion", "later than the version '2.0'"));
     EXPECT_THAT(with(""), IsOnly("fatal /asset", "has no \"version\""));
 }
 
