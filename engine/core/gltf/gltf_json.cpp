@@ -10,8 +10,8 @@ using nlohmann::json;
 
 namespace {
 
-/// Far more than a model needs: 16 million numbers, or a million nodes.
-constexpr std::size_t most_memory = std::size_t{1} << 28;
+/// Far more than a model needs: 12 million numbers, or some hundred thousand nodes.
+constexpr std::size_t most_memory = std::size_t{3} << 26;
 
 }  // namespace
 

@@ -12,18 +12,13 @@ namespace {
 
 constexpr std::size_t most_warnings = 100;
 
-void spend(std::size_t& left, std::size_t amount, const std::string& where, std::string_view what) {
-    if (amount > left) fail("{}: with its {} {} the model is larger than any that is read", where, amount, what);
-    left -= amount;
-}
-
 }  // namespace
 
 template <class Number>
 std::optional<std::vector<Number>> GltfReader::read(std::size_t number) {
     const GltfAccessor& accessor = file_.layout.accessors[number];
     const std::size_t width = accessor.format.components();
-    spend(accessor.view ? stored_left_ : empty_left_, accessor.count * width, fmt::format("/accessors/{}", number), "numbers");
+    spend(accessor.count * width * sizeof(Number), fmt::format("/accessors/{}", number));
     if (!accessor.view && !accessor.sparse) return std::vector<Number>(accessor.count * width);
     const auto elements = GltfElements::read(file_.layout, file_.resources.buffers(), number);
     if (!elements) return std::nullopt;
@@ -46,8 +41,11 @@ std::optional<std::vector<std::uint32_t>> GltfReader::indices(std::size_t access
     return read<std::uint32_t>(accessor);
 }
 
-void GltfReader::count_corners(std::size_t corners, const std::string& where) {
-    spend(corners_left_, corners, where, "corners");
+void GltfReader::spend(std::size_t bytes, const std::string& where) {
+    if (bytes > bytes_left_) {
+        fail("{}: it takes {} MB more, and the model far more than the {} bytes that are stored", where, (bytes >> 20) + 1, file_.resources.stored_bytes());
+    }
+    bytes_left_ -= bytes;
 }
 
 void GltfReader::warn(std::string_view where, std::string_view what) {

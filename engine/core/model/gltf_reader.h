@@ -18,21 +18,20 @@ struct AccessorValues {
 };
 
 /// What a model is made from: a file without a fatal fault, whose types, references and ranges need no second look. It stops
-/// where the model would take far more memory than the file, for many parts may refer to the same elements, and a file may
-/// hold elements of which it stores nothing.
+/// where the model would take far more memory than the file: see most_gltf_bytes.
 class GltfReader {
   public:
-    explicit GltfReader(const GltfChecked& file) : file_(file) {}
+    explicit GltfReader(const GltfChecked& file) : file_(file), bytes_left_(2 * most_gltf_bytes(file.resources.stored_bytes())) {}
 
     const nlohmann::json& document() const { return file_.file.json; }
     const GltfResources& resources() const { return file_.resources; }
 
-    /// Nothing where the bytes lie in a file that is not read. Throws Error where all that is read becomes too much.
+    /// Nothing where the bytes lie in a file that is not read. Throws like `spend`.
     std::optional<AccessorValues> values(std::size_t accessor);
     /// The same of whole numbers.
     std::optional<std::vector<std::uint32_t>> indices(std::size_t accessor);
-    /// Before so many corners of triangles are made. Throws Error like `values`.
-    void count_corners(std::size_t corners, const std::string& where);
+    /// Before so many bytes are taken for the model. Throws Error where all together become too much.
+    void spend(std::size_t bytes, const std::string& where);
 
     /// For what is left out or not understood; `where` is its place in the file, "" the whole. Only the first hundred are kept.
     void warn(std::string_view where, std::string_view what);
@@ -44,8 +43,7 @@ class GltfReader {
     std::optional<std::vector<Number>> read(std::size_t accessor);
 
     const GltfChecked& file_;
-    std::size_t stored_left_ = std::size_t{1} << 27, empty_left_ = std::size_t{1} << 25;  ///< numbers; of accessors without bytes
-    std::size_t corners_left_ = std::size_t{1} << 26;
+    std::size_t bytes_left_;
     std::vector<std::string> warnings_;
     std::size_t untold_ = 0;
 };
