@@ -114,7 +114,8 @@ class Builder : public nlohmann::json_sax<json> {
 }  // namespace
 
 JsonRead read_json(std::string_view text, const JsonBounds& bounds) {
-    if (auto fault = fault_before_parsing(text, bounds.deepest)) return {.document = {}, .fault = std::move(fault), .repeated_key = {}};
+    if (auto fault = fault_before_parsing(text, bounds.deepest))
+        return {.document = {}, .fault = std::move(fault), .repeated_key = {}};
     Builder builder(bounds.most_memory);
     json::sax_parse(text, &builder);
     if (builder.read.fault) builder.read.document = nullptr;

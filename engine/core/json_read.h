@@ -11,7 +11,7 @@
 namespace sl {
 
 struct JsonBounds {
-    int deepest;                                                         ///< levels of arrays and objects
+    int deepest;                                                        ///< levels of arrays and objects
     std::size_t most_memory = std::numeric_limits<std::size_t>::max();  ///< of the document, its texts apart, bytes
 };
 
@@ -21,7 +21,7 @@ struct JsonFault {
 };
 
 struct JsonRead {
-    nlohmann::json document;                 ///< null where there is a fault
+    nlohmann::json document;  ///< null where there is a fault
     std::optional<JsonFault> fault;
     std::optional<std::string> repeated_key;  ///< the first that an object names twice; the last value counts
 };

@@ -98,6 +98,25 @@ TEST_F(ModelTest, AnUnknownExtensionIsToldAndARequiredOneRefused) {
     EXPECT_THAT(fault(), HasSubstr("model.gltf: /extensionsRequired/0: the file needs 'ACME_glitter'"));
 }
 
+TEST_F(ModelTest, OnlyAHundredWarningsAreKept) {
+    for (int i = 0; i < 250; ++i) json["extensionsUsed"].push_back(fmt::format("ACME_{}", i));
+    show(square());
+    const Model model = read();
+    ASSERT_EQ(model.warnings.size(), 101u);
+    EXPECT_EQ(model.warnings.back(), "and 150 more");
+}
+
+TEST_F(ModelTest, APictureThatIsNotReadIsTold) {
+    json["images"] = {{{"uri", "none.png"}}, {{"uri", "../outside.png"}}, {{"uri", "http://x/a.png"}}};
+    show(square());
+    const Model model = read();
+    EXPECT_EQ(model.images.size(), 3u);
+    for (const char* warning : {"none.png: there is no such file", "/images/1/uri: ../outside.png: it lies outside the model's folder", "/images/2/uri: only files beside the model are read",
+                                "/images/0: the picture cannot be read, and is white", "/images/2: the picture cannot be read"}) {
+        EXPECT_THAT(model.warnings, testing::Contains(HasSubstr(warning)));
+    }
+}
+
 TEST_F(ModelTest, FilesOutsideTheFolderAreRefusedUnlessAllowed) {
     show(square());
     const auto path = write();

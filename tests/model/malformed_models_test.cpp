@@ -38,7 +38,8 @@ struct Outcome {
     std::map<End, std::size_t> ends;
 
     std::size_t tried() const {
-        return std::accumulate(ends.begin(), ends.end(), std::size_t{0}, [](std::size_t sum, const auto& end) { return sum + end.second; });
+        return std::accumulate(ends.begin(), ends.end(), std::size_t{0},
+                               [](std::size_t sum, const auto& end) { return sum + end.second; });
     }
     void tell(const std::string& row) {
         const std::array counts{tried(), ends[End::refused], ends[End::warned], ends[End::silent], ends[End::crashed]};
@@ -127,7 +128,8 @@ TEST_F(MalformedModelsTest, WhatTheValidatorFindsFaultWithIsRefusedOrTold) {
 }
 
 TEST_F(MalformedModelsTest, ValidModelsAreNotRefused) {
-    for (const auto& [part, row] : {std::pair{"valid", "valid, by the format's validator"}, std::pair{"public", "models of others"}}) {
+    for (const auto& [part, row] :
+         {std::pair{"valid", "valid, by the format's validator"}, std::pair{"public", "models of others"}}) {
         Outcome outcome;
         for (const fs::path& path : models(part)) EXPECT_NE(end_of(path, outcome), End::refused) << path;
         outcome.tell(row);

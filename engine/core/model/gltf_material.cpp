@@ -24,9 +24,12 @@ constexpr std::size_t nearest_filter = 9728;
 
 ModelTexture::Wrap wrap_at(const json& sampler, std::string_view key) {
     switch (static_cast<Wrap>(gltf_whole_at(sampler, key, 0))) {
-        case Wrap::clamp: return ModelTexture::Wrap::clamp;
-        case Wrap::mirror: return ModelTexture::Wrap::mirror;
-        default: return ModelTexture::Wrap::repeat;
+        case Wrap::clamp:
+            return ModelTexture::Wrap::clamp;
+        case Wrap::mirror:
+            return ModelTexture::Wrap::mirror;
+        default:
+            return ModelTexture::Wrap::repeat;
     }
 }
 
@@ -38,7 +41,8 @@ float extension_number(const json& material, std::string_view extension, std::st
 
 /// From n; 0 stands for a surface that reflects all.
 float specular_of(const json& material) {
-    const float ior = extension_number(material, "KHR_materials_ior", "ior", 1.5f), root = ior > 0.0f ? (ior - 1.0f) / (ior + 1.0f) : 1.0f;
+    const float ior = extension_number(material, "KHR_materials_ior", "ior", 1.5f),
+                root = ior > 0.0f ? (ior - 1.0f) / (ior + 1.0f) : 1.0f;
     const float strength = extension_number(material, "KHR_materials_specular", "specularFactor", 1.0f);
     return std::clamp(strength * root * root / usual_reflectance, 0.0f, 1.0f);
 }
@@ -55,7 +59,9 @@ std::array<vec2, 3> transform_of(const json& extension) {
 class MaterialReader {
   public:
     explicit MaterialReader(GltfReader& reader)
-        : reader_(reader), textures_(gltf_list(reader.document(), "textures")), samplers_(gltf_list(reader.document(), "samplers")) {}
+        : reader_(reader),
+          textures_(gltf_list(reader.document(), "textures")),
+          samplers_(gltf_list(reader.document(), "samplers")) {}
 
     ModelMaterial read(const json& from, const std::string& where) {
         where_ = where;
@@ -73,7 +79,9 @@ class MaterialReader {
         take_gltf_numbers(from, "emissiveFactor", material.emission, fraction);
         material.emission *= extension_number(from, "KHR_materials_emissive_strength", "emissiveStrength", 1.0f);
         material.normal_scale = gltf_float_at(gltf_part(from, "normalTexture"), "scale", 1.0f, {-100.0f, 100.0f});
-        material.alpha_mode = alpha_mode == "MASK" ? ModelMaterial::Alpha::mask : alpha_mode == "BLEND" ? ModelMaterial::Alpha::blend : ModelMaterial::Alpha::opaque;
+        material.alpha_mode = alpha_mode == "MASK"    ? ModelMaterial::Alpha::mask
+                              : alpha_mode == "BLEND" ? ModelMaterial::Alpha::blend
+                                                      : ModelMaterial::Alpha::opaque;
         material.alpha_cutoff = gltf_float_at(from, "alphaCutoff", 0.5f, {0.0f, 1e6f});
         material.two_sided = gltf_flag_at(from, "doubleSided");
         material.base_colour_texture = texture(pbr, "baseColorTexture");
@@ -92,13 +100,17 @@ class MaterialReader {
         const json* webp = gltf_extension(texture, "EXT_texture_webp");
         const auto source = gltf_find_whole(webp ? *webp : texture, "source");
         if (!source) {
-            reader_.warn(fmt::format("{}/{}", where_, slot), fmt::format("its texture {} has no picture that can be read", *index));
+            reader_.warn(fmt::format("{}/{}", where_, slot),
+                         fmt::format("its texture {} has no picture that can be read", *index));
             return {};
         }
         ModelTexture result{.image = static_cast<std::int32_t>(*source)};
         const json* transform = gltf_extension(info, "KHR_texture_transform");
-        const std::size_t own_set = gltf_whole_at(info, "texCoord", 0), set = transform ? gltf_whole_at(*transform, "texCoord", own_set) : own_set;
-        if (set != 0) reader_.warn(fmt::format("{}/{}", where_, slot), fmt::format("texture coordinates {} are not read, the first are taken", set));
+        const std::size_t own_set = gltf_whole_at(info, "texCoord", 0),
+                          set = transform ? gltf_whole_at(*transform, "texCoord", own_set) : own_set;
+        if (set != 0)
+            reader_.warn(fmt::format("{}/{}", where_, slot),
+                         fmt::format("texture coordinates {} are not read, the first are taken", set));
         if (const auto sampler = gltf_find_whole(texture, "sampler")) {
             result.wrap_u = wrap_at(samplers_[*sampler], "wrapS");
             result.wrap_v = wrap_at(samplers_[*sampler], "wrapT");

@@ -41,7 +41,8 @@ std::vector<std::uint32_t> triangles_of(const std::vector<std::uint32_t>& indice
         const bool fan = mode == Mode::triangle_fan;
         // Every other triangle of a strip is wound the other way.
         const std::size_t odd = i % 2;
-        const std::uint32_t a = fan ? indices[i + 1] : indices[i], b = fan ? indices[i + 2] : indices[i + 1 + odd], c = fan ? indices[0] : indices[i + 2 - odd];
+        const std::uint32_t a = fan ? indices[i + 1] : indices[i], b = fan ? indices[i + 2] : indices[i + 1 + odd],
+                            c = fan ? indices[0] : indices[i + 2 - odd];
         corners.insert(corners.end(), {a, b, c});
     }
     return corners;
@@ -69,7 +70,8 @@ void make_flat_normals(ModelPrimitive& result) {
     part_triangles(result);
     std::vector<Vertex>& vertices = result.mesh.vertices;
     for (std::size_t i = 0; i + 2 < vertices.size(); i += 3) {
-        const vec3 normal = glm::cross(vertices[i + 1].position - vertices[i].position, vertices[i + 2].position - vertices[i].position);
+        const vec3 normal =
+            glm::cross(vertices[i + 1].position - vertices[i].position, vertices[i + 2].position - vertices[i].position);
         const float length = glm::length(normal);
         for (std::size_t k = i; k < i + 3; ++k) vertices[k].normal = pack_normal(length > 0.0f ? normal / length : vec3(0, 1, 0));
     }
@@ -122,7 +124,8 @@ std::vector<ModelJoints> joints_of(const json& attributes, GltfReader& reader) {
         float sum = 0.0f;
         for (int k = 0; k < 4; ++k) {
             const std::size_t at = 4 * i + static_cast<std::size_t>(k);
-            result[i].joints[static_cast<std::size_t>(k)] = static_cast<std::uint16_t>(glm::clamp(joints.numbers[at], 0.0f, 65535.0f));
+            result[i].joints[static_cast<std::size_t>(k)] =
+                static_cast<std::uint16_t>(glm::clamp(joints.numbers[at], 0.0f, 65535.0f));
             result[i].weights[k] = std::isfinite(weights.numbers[at]) ? std::max(weights.numbers[at], 0.0f) : 0.0f;
             sum += result[i].weights[k];
         }
@@ -133,7 +136,8 @@ std::vector<ModelJoints> joints_of(const json& attributes, GltfReader& reader) {
 
 }  // namespace
 
-std::optional<ModelPrimitive> gltf_primitive(const json& primitive, const std::vector<ModelMaterial>& materials, const std::string& where, GltfReader& reader) {
+std::optional<ModelPrimitive> gltf_primitive(const json& primitive, const std::vector<ModelMaterial>& materials,
+                                             const std::string& where, GltfReader& reader) {
     const auto mode = static_cast<Mode>(gltf_whole_at(primitive, "mode", static_cast<std::size_t>(Mode::triangles)));
     if (mode != Mode::triangles && mode != Mode::triangle_strip && mode != Mode::triangle_fan) {
         reader.warn(where, "points and lines are not drawn");
@@ -157,7 +161,8 @@ std::optional<ModelPrimitive> gltf_primitive(const json& primitive, const std::v
     const AccessorValues normals = attribute(attributes, "NORMAL", reader), colours = attribute(attributes, "COLOR_0", reader);
     const AccessorValues coordinates = attribute(attributes, "TEXCOORD_0", reader);
     const std::size_t corners = indices->size() * (mode == Mode::triangles ? 1 : 3);
-    const std::size_t vertex_bytes = sizeof(Vertex) + (attributes.contains("JOINTS_0") ? sizeof(ModelJoints) : 0) + 2 * sizeof(vec3) * gltf_list(primitive, "targets").size();
+    const std::size_t vertex_bytes = sizeof(Vertex) + (attributes.contains("JOINTS_0") ? sizeof(ModelJoints) : 0) +
+                                     2 * sizeof(vec3) * gltf_list(primitive, "targets").size();
     // Flat normals give each corner a vertex of its own.
     const std::size_t vertices = normals.numbers.empty() ? corners : count;
     reader.spend((two_sided ? 2 : 1) * (vertices * vertex_bytes + corners * sizeof(std::uint32_t)), where);
@@ -170,7 +175,8 @@ std::optional<ModelPrimitive> gltf_primitive(const json& primitive, const std::v
         Vertex& vertex = mesh.vertices[i];
         vertex.position = vector_at(positions, i);
         for (int axis = 0; axis < 3; ++axis) {
-            if (!std::isfinite(vertex.position[axis]) || std::abs(vertex.position[axis]) > 1e12f) fail("{}/attributes/POSITION: vertex {} lies at {}", where, i, vertex.position[axis]);
+            if (!std::isfinite(vertex.position[axis]) || std::abs(vertex.position[axis]) > 1e12f)
+                fail("{}/attributes/POSITION: vertex {} lies at {}", where, i, vertex.position[axis]);
         }
         if (!normals.numbers.empty()) {
             const vec3 normal = vector_at(normals, i);

@@ -19,8 +19,9 @@ using nlohmann::json;
 
 namespace {
 
-constexpr std::array<std::string_view, 8> known_extensions{"KHR_lights_punctual", "KHR_materials_emissive_strength", "KHR_materials_ior", "KHR_materials_specular",
-                                                           "KHR_materials_unlit", "KHR_mesh_quantization", "KHR_texture_transform", "EXT_texture_webp"};
+constexpr std::array<std::string_view, 8> known_extensions{
+    "KHR_lights_punctual", "KHR_materials_emissive_strength", "KHR_materials_ior",     "KHR_materials_specular",
+    "KHR_materials_unlit", "KHR_mesh_quantization",           "KHR_texture_transform", "EXT_texture_webp"};
 
 /// Where a model may read from.
 struct Folder {
@@ -29,7 +30,8 @@ struct Folder {
 
     std::vector<std::byte> read(const std::string& beside) const {
         const std::filesystem::path file = path / beside;
-        if (!allows(file)) fail("{}: it lies outside the model's folder; --allow-outside lets models read such files", for_message(beside, 200));
+        if (!allows(file))
+            fail("{}: it lies outside the model's folder; --allow-outside lets models read such files", for_message(beside, 200));
         return file_bytes(file, reading.most_bytes);
     }
 
@@ -44,7 +46,9 @@ struct Folder {
     }
 };
 
-std::string line_of(const GltfFault& fault) { return fault.where.empty() ? fault.message : fmt::format("{}: {}", fault.where, fault.message); }
+std::string line_of(const GltfFault& fault) {
+    return fault.where.empty() ? fault.message : fmt::format("{}: {}", fault.where, fault.message);
+}
 
 void stop_at_fatal(const GltfFaults& faults) {
     for (const GltfFault& fault : faults.list()) {
@@ -55,7 +59,8 @@ void stop_at_fatal(const GltfFaults& faults) {
 void warn_of_unknown_extensions(GltfReader& reader) {
     for (const json& name : gltf_list(reader.document(), "extensionsUsed")) {
         const auto& text = name.get_ref<const std::string&>();
-        if (std::ranges::find(known_extensions, text) == known_extensions.end()) reader.warn("/extensionsUsed", fmt::format("{} is not known here, and left out", for_message(text)));
+        if (std::ranges::find(known_extensions, text) == known_extensions.end())
+            reader.warn("/extensionsUsed", fmt::format("{} is not known here, and left out", for_message(text)));
     }
 }
 
@@ -67,10 +72,13 @@ std::vector<ModelImage> images_of(GltfReader& reader) {
         const std::string where = fmt::format("/images/{}", i);
         const std::string_view uri = gltf_text_at(list[i], "uri");
         const auto bytes = reader.resources().images()[i];
-        if (bytes.size() > left) fail("{}: the pictures take far more bytes together than the {} that are stored", where, reader.resources().stored_bytes());
+        if (bytes.size() > left)
+            fail("{}: the pictures take far more bytes together than the {} that are stored", where,
+                 reader.resources().stored_bytes());
         left -= bytes.size();
         if (bytes.empty()) reader.warn(where, "the picture cannot be read, and is white");
-        images.push_back({.name = uri.empty() || uri.starts_with("data:") ? where : for_message(uri, 120), .bytes = {bytes.begin(), bytes.end()}});
+        images.push_back({.name = uri.empty() || uri.starts_with("data:") ? where : for_message(uri, 120),
+                          .bytes = {bytes.begin(), bytes.end()}});
     }
     return images;
 }
@@ -96,7 +104,8 @@ Model model_of(const GltfChecked& file) {
     model.materials = gltf_materials(reader);
     model.images = images_of(reader);
     const json& meshes = gltf_list(reader.document(), "meshes");
-    for (std::size_t i = 0; i < meshes.size(); ++i) model.meshes.push_back(mesh_of(meshes[i], model.materials, fmt::format("/meshes/{}", i), reader));
+    for (std::size_t i = 0; i < meshes.size(); ++i)
+        model.meshes.push_back(mesh_of(meshes[i], model.materials, fmt::format("/meshes/{}", i), reader));
     read_gltf_nodes(reader, model);
     model.warnings = reader.take_warnings();
     return model;
@@ -108,7 +117,8 @@ Model read_gltf(const std::filesystem::path& path, const ModelReading& reading) 
     const std::vector<std::byte> bytes = file_bytes(path, reading.most_bytes);
     const Folder folder{.path = path.has_parent_path() ? path.parent_path() : ".", .reading = reading};
     try {
-        const GltfChecked file = check_gltf(bytes, [&](const std::string& beside) { return folder.read(beside); }, known_extensions);
+        const GltfChecked file = check_gltf(
+            bytes, [&](const std::string& beside) { return folder.read(beside); }, known_extensions);
         stop_at_fatal(file.faults);
         return model_of(file);
     } catch (const std::bad_alloc&) {

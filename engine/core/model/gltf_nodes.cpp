@@ -64,7 +64,8 @@ quat unit(const quat& rotation) {
 /// Translation, rotation and scale of a matrix that is made of them; of any other, what comes near.
 void decompose(const json& values, ModelNode& node) {
     mat4 matrix(1.0f);
-    for (std::size_t i = 0; i < 16; ++i) matrix[static_cast<int>(i / 4)][static_cast<int>(i % 4)] = gltf_float(values[i].get<double>());
+    for (std::size_t i = 0; i < 16; ++i)
+        matrix[static_cast<int>(i / 4)][static_cast<int>(i % 4)] = gltf_float(values[i].get<double>());
     node.translation = dvec3(matrix[3]);
     mat3 turn(matrix);
     for (int axis = 0; axis < 3; ++axis) {
@@ -104,7 +105,9 @@ ModelLight light_of(const json& from) {
     const std::string_view type = gltf_text_at(from, "type");
     ModelLight light;
     light.name = gltf_text_at(from, "name");
-    light.kind = type == "directional" ? ModelLight::Kind::directional : type == "spot" ? ModelLight::Kind::spot : ModelLight::Kind::point;
+    light.kind = type == "directional" ? ModelLight::Kind::directional
+                 : type == "spot"      ? ModelLight::Kind::spot
+                                       : ModelLight::Kind::point;
     take_gltf_numbers(from, "color", light.colour, {0.0f, 1.0f});
     light.intensity = gltf_float_at(from, "intensity", 1.0f, {.low = 0.0f});
     light.range = gltf_float_at(from, "range", 0.0f, {.low = 0.0f});
@@ -133,7 +136,8 @@ ModelSkin skin_of(const json& from, const NodeOrder& order, const std::string& w
     skin.joint_from_mesh.assign(skin.joints.size(), mat4(1.0f));
     const auto accessor = gltf_find_whole(from, "inverseBindMatrices");
     const auto matrices = accessor ? reader.values(*accessor) : std::nullopt;
-    if (accessor && !matrices) reader.warn(where + "/inverseBindMatrices", "they lie in a file that is not read, and are left out");
+    if (accessor && !matrices)
+        reader.warn(where + "/inverseBindMatrices", "they lie in a file that is not read, and are left out");
     for (std::size_t i = 0; matrices && i < skin.joints.size(); ++i) {
         for (int k = 0; k < 16; ++k) {
             const float number = matrices->numbers[16 * i + static_cast<std::size_t>(k)];
@@ -152,7 +156,8 @@ std::optional<ModelChannel::Path> path_of(std::string_view name) {
 }
 
 /// Nothing, and a warning, of a channel that makes no sense.
-std::optional<ModelChannel> channel_of(const json& animation, const json& from, const NodeOrder& order, const std::string& where, GltfReader& reader) {
+std::optional<ModelChannel> channel_of(const json& animation, const json& from, const NodeOrder& order, const std::string& where,
+                                       GltfReader& reader) {
     const auto left_out = [&](std::string_view why) {
         reader.warn(where, fmt::format("{}; it is left out", why));
         return std::nullopt;
@@ -165,12 +170,16 @@ std::optional<ModelChannel> channel_of(const json& animation, const json& from, 
     ModelChannel channel{.node = order.place(*node), .path = *path};
     const json& sampler = gltf_list(animation, "samplers")[*gltf_find_whole(from, "sampler")];
     const std::string_view between = gltf_text_at(sampler, "interpolation");
-    channel.between = between == "STEP" ? ModelChannel::Between::step : between == "CUBICSPLINE" ? ModelChannel::Between::cubic : ModelChannel::Between::linear;
+    channel.between = between == "STEP"          ? ModelChannel::Between::step
+                      : between == "CUBICSPLINE" ? ModelChannel::Between::cubic
+                                                 : ModelChannel::Between::linear;
     auto times = reader.values(*gltf_find_whole(sampler, "input")), values = reader.values(*gltf_find_whole(sampler, "output"));
     if (!times || !values) return left_out("its keys lie in a file that is not read");
     channel.times = std::move(times->numbers);
     channel.values = std::move(values->numbers);
-    if (!std::ranges::all_of(channel.times, [](float time) { return std::isfinite(time); }) || !std::ranges::is_sorted(channel.times)) return left_out("its times do not rise");
+    if (!std::ranges::all_of(channel.times, [](float time) { return std::isfinite(time); }) ||
+        !std::ranges::is_sorted(channel.times))
+        return left_out("its times do not rise");
     for (float& value : channel.values) value = std::isfinite(value) ? value : 0.0f;
     const std::size_t keys = channel.times.size() * (channel.between == ModelChannel::Between::cubic ? 3 : 1);
     const bool is_morph = channel.path == ModelChannel::Path::weights;
@@ -223,10 +232,14 @@ void read_gltf_nodes(GltfReader& reader, Model& model) {
     if (const json* lights = gltf_extension(document, lights_extension)) {
         for (const json& light : gltf_list(*lights, "lights")) model.lights.push_back(light_of(light));
     }
-    const json &cameras = gltf_list(document, "cameras"), &skins = gltf_list(document, "skins"), &animations = gltf_list(document, "animations");
-    for (std::size_t i = 0; i < cameras.size(); ++i) model.cameras.push_back(camera_of(cameras[i], fmt::format("/cameras/{}", i), reader));
-    for (std::size_t i = 0; i < skins.size(); ++i) model.skins.push_back(skin_of(skins[i], order, fmt::format("/skins/{}", i), reader));
-    for (std::size_t i = 0; i < animations.size(); ++i) model.animations.push_back(animation_of(animations[i], order, fmt::format("/animations/{}", i), reader));
+    const json &cameras = gltf_list(document, "cameras"), &skins = gltf_list(document, "skins"),
+               &animations = gltf_list(document, "animations");
+    for (std::size_t i = 0; i < cameras.size(); ++i)
+        model.cameras.push_back(camera_of(cameras[i], fmt::format("/cameras/{}", i), reader));
+    for (std::size_t i = 0; i < skins.size(); ++i)
+        model.skins.push_back(skin_of(skins[i], order, fmt::format("/skins/{}", i), reader));
+    for (std::size_t i = 0; i < animations.size(); ++i)
+        model.animations.push_back(animation_of(animations[i], order, fmt::format("/animations/{}", i), reader));
     read_scenes(document, order, model);
 }
 

@@ -43,7 +43,8 @@ std::optional<std::vector<std::uint32_t>> GltfReader::indices(std::size_t access
 
 void GltfReader::spend(std::size_t bytes, const std::string& where) {
     if (bytes > bytes_left_) {
-        fail("{}: it takes {} MB more, and the model far more than the {} bytes that are stored", where, (bytes >> 20) + 1, file_.resources.stored_bytes());
+        fail("{}: it takes {} MB more, and the model far more than the {} bytes that are stored", where, (bytes >> 20) + 1,
+             file_.resources.stored_bytes());
     }
     bytes_left_ -= bytes;
 }
