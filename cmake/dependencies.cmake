@@ -11,7 +11,6 @@ find_package(CLI11 REQUIRED)
 find_package(nlohmann_json 3.11 REQUIRED)
 find_package(TBB REQUIRED)
 find_package(embree 3 REQUIRED)
-find_package(TinyGLTF REQUIRED)
 find_package(OpenGL REQUIRED COMPONENTS EGL OpenGL)
 # The CMake configuration that Debian ships for OpenImageIO names a folder that does not exist.
 pkg_check_modules(OpenImageIO REQUIRED IMPORTED_TARGET OpenImageIO)

@@ -2,11 +2,10 @@
 #include "engine/core/json_text.h"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
-#include <set>
 
 #include "engine/core/closest_name.h"
 #include "engine/core/error.h"
+#include "engine/core/json_read.h"
 
 namespace sl {
 
@@ -23,54 +22,6 @@ std::string position(std::string_view text, std::size_t byte, std::string_view f
     return fmt::format("{}:{}:{}", file, line, before.size() - line_start + 1);
 }
 
-void check_depth(std::string_view text, std::string_view file) {
-    int depth = 0;
-    bool in_string = false;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const char c = text[i];
-        if (c == '\\' && in_string) {
-            ++i;
-        } else if (c == '"') {
-            in_string = !in_string;
-        } else if (!in_string && (c == '{' || c == '[')) {
-            if (++depth > deepest_json) {
-                fail("{}: nested deeper than {} levels", position(text, i, file), deepest_json);
-            }
-        } else if (!in_string && (c == '}' || c == ']')) {
-            --depth;
-        }
-    }
-}
-
-/// The part of a message of the JSON library that is for people: "[json.exception…] parse error at …: THIS".
-std::string_view reason(std::string_view message) {
-    const std::size_t tag = message.find("] ");
-    if (tag != std::string_view::npos) message.remove_prefix(tag + 2);
-    const std::size_t place = message.find(": ");
-    if (message.starts_with("parse error") && place != std::string_view::npos)
-        message.remove_prefix(place + 2);
-    return message;
-}
-
-/// Refuses an object that names a key twice: one of the two values would be lost without a word.
-class RepeatedKeys {
-  public:
-    explicit RepeatedKeys(std::string_view file) : file_(file) {}
-    bool operator()(int, json::parse_event_t event, const json& value) {
-        if (event == json::parse_event_t::object_start) keys_.emplace_back();
-        if (event == json::parse_event_t::object_end) keys_.pop_back();
-        if (event == json::parse_event_t::key && !keys_.back().insert(value.get<std::string>()).second) {
-            fail("{}: an object has the key '{}' twice", file_, for_message(value.get<std::string>()));
-        }
-        return true;
-    }
-
-  private:
-    std::string file_;
-    std::vector<std::set<std::string>> keys_;
-};
-
-constexpr std::size_t longest_reason = 240;
 constexpr std::size_t widest_line = 110;
 constexpr std::size_t indent_step = 2;
 
@@ -118,20 +69,10 @@ void append(std::string& text, const ordered_json& value, std::size_t indent, st
 }  // namespace
 
 json parse_json(std::string_view text, std::string_view file) {
-    check_depth(text, file);
-    try {
-        return json::parse(text, RepeatedKeys(file));
-    } catch (const json::parse_error& error) {
-        fail("{}: {}", position(text, error.byte == 0 ? 0 : error.byte - 1, file),
-             for_message(reason(error.what()), longest_reason));
-    } catch (const json::out_of_range& error) {
-        // This one does not tell where, but it quotes the number.
-        const std::string_view message = error.what();
-        const std::size_t open = message.find('\''), close = message.rfind('\'');
-        const bool quoted = open != std::string_view::npos && close > open;
-        const std::size_t at = quoted ? text.find(message.substr(open + 1, close - open - 1)) : 0;
-        fail("{}: {}", position(text, at, file), for_message(reason(message), longest_reason));
-    }
+    JsonRead read = read_json(text, {.deepest = deepest_json});
+    if (read.fault) fail("{}: {}", position(text, read.fault->byte, file), read.fault->message);
+    if (read.repeated_key) fail("{}: an object has the key '{}' twice", file, for_message(*read.repeated_key));
+    return std::move(read.document);
 }
 
 std::string json_text(const ordered_json& value) {

@@ -72,6 +72,23 @@ TEST(JsonText, ACommentHidesNoDepth) {
     EXPECT_EQ(error_of([&] { parse_json(without_comments("// \"\n" + nested), "x.json"); }), "x.json:2:65: nested deeper than 64 levels");
 }
 
+TEST(JsonText, RefusesWhatStandsBehindAZero) {
+    EXPECT_EQ(error_for(std::string_view("[1]\0[2]", 7)), "x.json:1:4: a zero byte stands in it");
+}
+
+TEST(JsonText, BuildsWhatStandsThere) {
+    const auto read = parse_json(R"({"a": [1, -2, 0.5, null, true, [], {}, "x\ny"], "b": {"c": {"d": [[3]]}, "e": false}})", "x.json");
+    EXPECT_EQ(read, nlohmann::json::parse(R"({"a": [1, -2, 0.5, null, true, [], {}, "x\ny"], "b": {"c": {"d": [[3]]}, "e": false}})"));
+    EXPECT_TRUE(read["a"][0].is_number_unsigned());
+    EXPECT_EQ(parse_json(" 7 ", "x.json"), 7);
+}
+
+TEST(JsonText, LongArraysTakeTimeInProportion) {
+    std::string text = "[{}";
+    for (int i = 1; i < 1'000'000; ++i) text += ",{}";
+    EXPECT_EQ(parse_json(text + "]", "x.json").size(), 1'000'000u);
+}
+
 TEST(JsonText, MessagesStayOnOneShortLine) {
     const std::string message = error_for(fmt::format("{{\"{}", std::string(1'000'000, '\x01')));
     EXPECT_LT(message.size(), 400u);

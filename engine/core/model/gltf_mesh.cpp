@@ -1,29 +1,26 @@
 // SPDX-License-Identifier: MIT
 #include "engine/core/model/gltf_mesh.h"
 
-#include <tiny_gltf.h>
-
 #include <cmath>
 #include <glm/gtc/packing.hpp>
+#include <numeric>
 
 #include "engine/core/error.h"
-#include "engine/core/model/gltf_accessor.h"
+#include "engine/core/gltf/gltf_value.h"
 
 namespace sl {
 
+using nlohmann::json;
+
 namespace {
 
-/// Values of a vertex attribute; empty where the primitive has none.
-AccessorValues attribute(const tinygltf::Model& file, const std::map<std::string, int>& attributes, const char* name, const std::string& where) {
-    const auto found = attributes.find(name);
-    return found == attributes.end() ? AccessorValues{} : accessor_values(file, found->second, fmt::format("{}/attributes/{}", where, name));
-}
+/// As the format numbers them; what is below is points and lines.
+enum class Mode : std::size_t { triangles = 4, triangle_strip, triangle_fan };
 
-/// Throws unless an attribute is there for each vertex, with so many numbers; absent is fine.
-void check_shape(const AccessorValues& values, std::size_t count, std::size_t least, std::size_t most, const char* name, const std::string& where) {
-    if (values.numbers.empty()) return;
-    if (values.count != count) fail("{}/attributes/{}: {} values for {} vertices", where, name, values.count, count);
-    if (values.width < least || values.width > most) fail("{}/attributes/{}: {} numbers a vertex", where, name, values.width);
+/// Values of a vertex attribute; none where the primitive has none, or where they lie in a file that is not read.
+AccessorValues attribute(const json& attributes, std::string_view name, GltfReader& reader) {
+    const auto accessor = gltf_find_whole(attributes, name);
+    return accessor ? reader.values(*accessor).value_or(AccessorValues{}) : AccessorValues{};
 }
 
 vec3 vector_at(const AccessorValues& values, std::size_t vertex) {
@@ -31,15 +28,21 @@ vec3 vector_at(const AccessorValues& values, std::size_t vertex) {
     return {at[0], at[1], at[2]};
 }
 
+vec3 finite(vec3 v) {
+    for (int axis = 0; axis < 3; ++axis) v[axis] = std::isfinite(v[axis]) ? v[axis] : 0.0f;
+    return v;
+}
+
 /// Corners of triangles, three each, of lists, strips and fans.
-std::vector<std::uint32_t> triangles_of(const std::vector<std::uint32_t>& indices, int mode) {
-    if (mode == TINYGLTF_MODE_TRIANGLES) return {indices.begin(), indices.end() - static_cast<std::ptrdiff_t>(indices.size() % 3)};
+std::vector<std::uint32_t> triangles_of(const std::vector<std::uint32_t>& indices, Mode mode) {
+    if (mode == Mode::triangles) return {indices.begin(), indices.end() - static_cast<std::ptrdiff_t>(indices.size() % 3)};
     std::vector<std::uint32_t> corners;
     for (std::size_t i = 0; i + 2 < indices.size(); ++i) {
-        const bool fan = mode == TINYGLTF_MODE_TRIANGLE_FAN;
+        const bool fan = mode == Mode::triangle_fan;
         // Every other triangle of a strip is wound the other way.
         const std::size_t odd = i % 2;
-        const std::uint32_t a = fan ? indices[i + 1] : indices[i], b = fan ? indices[i + 2] : indices[i + 1 + odd], c = fan ? indices[0] : indices[i + 2 - odd];
+        const std::uint32_t a = fan ? indices[i + 1] : indices[i], b = fan ? indices[i + 2] : indices[i + 1 + odd],
+                            c = fan ? indices[0] : indices[i + 2 - odd];
         corners.insert(corners.end(), {a, b, c});
     }
     return corners;
@@ -67,7 +70,8 @@ void make_flat_normals(ModelPrimitive& result) {
     part_triangles(result);
     std::vector<Vertex>& vertices = result.mesh.vertices;
     for (std::size_t i = 0; i + 2 < vertices.size(); i += 3) {
-        const vec3 normal = glm::cross(vertices[i + 1].position - vertices[i].position, vertices[i + 2].position - vertices[i].position);
+        const vec3 normal =
+            glm::cross(vertices[i + 1].position - vertices[i].position, vertices[i + 2].position - vertices[i].position);
         const float length = glm::length(normal);
         for (std::size_t k = i; k < i + 3; ++k) vertices[k].normal = pack_normal(length > 0.0f ? normal / length : vec3(0, 1, 0));
     }
@@ -99,31 +103,29 @@ void show_backs(ModelPrimitive& result) {
     result.joints.insert(result.joints.end(), joints.begin(), joints.end());
 }
 
-std::vector<ModelMorph> morphs_of(const tinygltf::Model& file, const tinygltf::Primitive& primitive, std::size_t count, const std::string& where) {
+std::vector<ModelMorph> morphs_of(const json& primitive, GltfReader& reader) {
     std::vector<ModelMorph> morphs;
-    for (std::size_t i = 0; i < primitive.targets.size(); ++i) {
-        const std::string place = fmt::format("{}/targets/{}", where, i);
+    for (const json& target : gltf_list(primitive, "targets")) {
         ModelMorph& morph = morphs.emplace_back();
         for (const auto& [name, moved] : {std::pair{"POSITION", &morph.positions}, std::pair{"NORMAL", &morph.normals}}) {
-            const AccessorValues values = attribute(file, primitive.targets[i], name, place);
-            check_shape(values, count, 3, 3, name, place);
-            for (std::size_t vertex = 0; vertex < values.count; ++vertex) moved->push_back(vector_at(values, vertex));
+            const AccessorValues values = attribute(target, name, reader);
+            for (std::size_t vertex = 0; vertex < values.count; ++vertex) moved->push_back(finite(vector_at(values, vertex)));
         }
     }
     return morphs;
 }
 
-std::vector<ModelJoints> joints_of(const tinygltf::Model& file, const tinygltf::Primitive& primitive, std::size_t count, const std::string& where) {
-    const AccessorValues joints = attribute(file, primitive.attributes, "JOINTS_0", where), weights = attribute(file, primitive.attributes, "WEIGHTS_0", where);
+std::vector<ModelJoints> joints_of(const json& attributes, GltfReader& reader) {
+    const AccessorValues joints = attribute(attributes, "JOINTS_0", reader), weights = attribute(attributes, "WEIGHTS_0", reader);
     if (joints.numbers.empty() || weights.numbers.empty()) return {};
-    check_shape(joints, count, 4, 4, "JOINTS_0", where);
-    check_shape(weights, count, 4, 4, "WEIGHTS_0", where);
+    const std::size_t count = joints.count;
     std::vector<ModelJoints> result(count);
     for (std::size_t i = 0; i < count; ++i) {
         float sum = 0.0f;
         for (int k = 0; k < 4; ++k) {
             const std::size_t at = 4 * i + static_cast<std::size_t>(k);
-            result[i].joints[static_cast<std::size_t>(k)] = static_cast<std::uint16_t>(glm::clamp(joints.numbers[at], 0.0f, 65535.0f));
+            result[i].joints[static_cast<std::size_t>(k)] =
+                static_cast<std::uint16_t>(glm::clamp(joints.numbers[at], 0.0f, 65535.0f));
             result[i].weights[k] = std::isfinite(weights.numbers[at]) ? std::max(weights.numbers[at], 0.0f) : 0.0f;
             sum += result[i].weights[k];
         }
@@ -134,35 +136,47 @@ std::vector<ModelJoints> joints_of(const tinygltf::Model& file, const tinygltf::
 
 }  // namespace
 
-std::optional<ModelPrimitive> gltf_primitive(const tinygltf::Model& file, const tinygltf::Primitive& primitive, const Model& model, const std::string& where,
-                                             std::vector<std::string>& warnings) {
-    const int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
-    if (mode != TINYGLTF_MODE_TRIANGLES && mode != TINYGLTF_MODE_TRIANGLE_STRIP && mode != TINYGLTF_MODE_TRIANGLE_FAN) {
-        warnings.push_back(fmt::format("{}: points and lines are not drawn", where));
+std::optional<ModelPrimitive> gltf_primitive(const json& primitive, const std::vector<ModelMaterial>& materials,
+                                             const std::string& where, GltfReader& reader) {
+    const auto mode = static_cast<Mode>(gltf_whole_at(primitive, "mode", static_cast<std::size_t>(Mode::triangles)));
+    if (mode != Mode::triangles && mode != Mode::triangle_strip && mode != Mode::triangle_fan) {
+        reader.warn(where, "points and lines are not drawn");
         return std::nullopt;
     }
-    const AccessorValues positions = attribute(file, primitive.attributes, "POSITION", where);
-    if (positions.numbers.empty()) {
-        warnings.push_back(fmt::format("{}: it has no positions and is not drawn", where));
+    const json& attributes = gltf_part(primitive, "attributes");
+    const AccessorValues positions = attribute(attributes, "POSITION", reader);
+    const auto index_accessor = gltf_find_whole(primitive, "indices");
+    auto indices = index_accessor ? reader.indices(*index_accessor) : std::vector<std::uint32_t>();
+    if (positions.numbers.empty() || !indices) {
+        reader.warn(where, "it has no positions that are read, and is not drawn");
         return std::nullopt;
     }
     const std::size_t count = positions.count;
-    check_shape(positions, count, 3, 3, "POSITION", where);
-    const AccessorValues normals = attribute(file, primitive.attributes, "NORMAL", where), colours = attribute(file, primitive.attributes, "COLOR_0", where);
-    const AccessorValues coordinates = attribute(file, primitive.attributes, "TEXCOORD_0", where);
-    check_shape(normals, count, 3, 3, "NORMAL", where);
-    check_shape(colours, count, 3, 4, "COLOR_0", where);
-    check_shape(coordinates, count, 2, 2, "TEXCOORD_0", where);
+    if (!index_accessor) {
+        indices->resize(count);
+        std::iota(indices->begin(), indices->end(), 0u);
+    }
+    const auto material = gltf_find_whole(primitive, "material");
+    const bool two_sided = material && materials[*material].two_sided;
+    const AccessorValues normals = attribute(attributes, "NORMAL", reader), colours = attribute(attributes, "COLOR_0", reader);
+    const AccessorValues coordinates = attribute(attributes, "TEXCOORD_0", reader);
+    const std::size_t corners = indices->size() * (mode == Mode::triangles ? 1 : 3);
+    const std::size_t vertex_bytes = sizeof(Vertex) + (attributes.contains("JOINTS_0") ? sizeof(ModelJoints) : 0) +
+                                     2 * sizeof(vec3) * gltf_list(primitive, "targets").size();
+    // Flat normals give each corner a vertex of its own.
+    const std::size_t vertices = normals.numbers.empty() ? corners : count;
+    reader.spend((two_sided ? 2 : 1) * (vertices * vertex_bytes + corners * sizeof(std::uint32_t)), where);
 
     ModelPrimitive result;
-    result.material = primitive.material;
+    if (material) result.material = static_cast<std::int32_t>(*material);
     MeshData& mesh = result.mesh;
     mesh.vertices.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
         Vertex& vertex = mesh.vertices[i];
         vertex.position = vector_at(positions, i);
         for (int axis = 0; axis < 3; ++axis) {
-            if (!std::isfinite(vertex.position[axis]) || std::abs(vertex.position[axis]) > 1e12f) fail("{}/attributes/POSITION: vertex {} lies at {}", where, i, vertex.position[axis]);
+            if (!std::isfinite(vertex.position[axis]) || std::abs(vertex.position[axis]) > 1e12f)
+                fail("{}/attributes/POSITION: vertex {} lies at {}", where, i, vertex.position[axis]);
         }
         if (!normals.numbers.empty()) {
             const vec3 normal = vector_at(normals, i);
@@ -180,21 +194,10 @@ std::optional<ModelPrimitive> gltf_primitive(const tinygltf::Model& file, const 
         }
         mesh.bounds.add(vertex.position);
     }
-    std::vector<std::uint32_t> indices;
-    if (primitive.indices >= 0) {
-        indices = accessor_indices(file, primitive.indices, where + "/indices");
-    } else {
-        indices.resize(count);
-        for (std::size_t i = 0; i < count; ++i) indices[i] = static_cast<std::uint32_t>(i);
-    }
-    for (std::size_t i = 0; i < indices.size(); ++i) {
-        if (indices[i] >= count) fail("{}/indices: index {} is vertex {} of {}", where, i, indices[i], count);
-    }
-    mesh.indices = triangles_of(indices, mode);
-    result.morphs = morphs_of(file, primitive, count, where);
-    result.joints = joints_of(file, primitive, count, where);
+    mesh.indices = triangles_of(*indices, mode);
+    result.morphs = morphs_of(primitive, reader);
+    result.joints = joints_of(attributes, reader);
     if (normals.numbers.empty()) make_flat_normals(result);
-    const bool two_sided = primitive.material >= 0 && static_cast<std::size_t>(primitive.material) < model.materials.size() && model.materials[static_cast<std::size_t>(primitive.material)].two_sided;
     if (two_sided) show_backs(result);
     return result;
 }

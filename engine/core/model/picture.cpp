@@ -9,25 +9,24 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <string_view>
 
 #include "engine/core/closest_name.h"
 #include "engine/core/error.h"
+#include "engine/core/gltf/gltf_image_header.h"
 #include "engine/core/srgb.h"
 
 namespace sl {
 
 namespace {
 
-/// The format as OpenImageIO calls it, told by the file's first bytes.
+/// The format as OpenImageIO calls it.
 const char* format_of(const std::vector<std::byte>& bytes) {
-    const auto begins = [&](std::size_t at, std::string_view magic) {
-        return bytes.size() >= at + magic.size() && std::equal(magic.begin(), magic.end(), bytes.begin() + static_cast<std::ptrdiff_t>(at), [](char a, std::byte b) { return static_cast<std::byte>(a) == b; });
-    };
-    if (begins(0, "\x89PNG")) return "png";
-    if (begins(0, "\xff\xd8")) return "jpeg";
-    if (begins(8, "WEBP")) return "webp";
-    return nullptr;
+    switch (read_gltf_image_header(bytes).kind) {
+        case GltfImageKind::png: return "png";
+        case GltfImageKind::jpeg: return "jpeg";
+        case GltfImageKind::webp: return "webp";
+        default: return nullptr;
+    }
 }
 
 /// A picture whose header has been read; the image's bytes must outlive it.

@@ -313,9 +313,9 @@ Model model_of(Contents& contents) {
 }  // namespace
 
 Model read_vox(const std::filesystem::path& path, const ModelReading& reading) {
-    const std::vector<unsigned char> bytes = file_bytes(path, reading.most_bytes);
+    const std::vector<std::byte> bytes = file_bytes(path, reading.most_bytes);
     try {
-        Reader file(bytes.data(), bytes.size(), 0);
+        Reader file(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(), 0);
         if (std::string_view(reinterpret_cast<const char*>(file.take(4, "the format's name")), 4) != "VOX ") fail("byte 0: it is no MagicaVoxel file, which begins with 'VOX '");
         (void)file.number("the version");
         Contents contents;

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace sl {
+
+enum class GltfImageKind : std::uint8_t { unknown, png, jpeg, webp, ktx2 };
+
+/// "image/png"; empty for unknown ones.
+std::string_view gltf_media_type(GltfImageKind kind);
+GltfImageKind gltf_image_kind_of(std::string_view media_type);
+
+struct GltfImageHeader {
+    GltfImageKind kind = GltfImageKind::unknown;
+    std::uint32_t width = 0, height = 0;  ///< 0 where they are not read: all but PNG and JPEG
+    std::string fault;                    ///< what is wrong with the header; empty: nothing
+};
+
+/// What a picture's first bytes say. Nothing is decoded.
+GltfImageHeader read_gltf_image_header(std::span<const std::byte> bytes);
+
+}  // namespace sl
