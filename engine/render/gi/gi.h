@@ -23,5 +23,24 @@ GiResult indirect_light(const FrameInput& frame, const GBuffer& gbuffer, const R
 GiResult indirect_light(const FrameInput& frame, const GBuffer& gbuffer, const RsmGrid& settings);
 GiResult indirect_light(const FrameInput& frame, const GBuffer& gbuffer, const RsmDisc& settings);
 GiResult indirect_light(const FrameInput& frame, const GBuffer& gbuffer, const Facets& settings);
+/// Calls the overload of the method that is held; it must be the engine's or have been added.
+GiResult run_gi_method(const FrameInput& frame, const GBuffer& gbuffer, const GiMethod& method);
+
+/// What stands behind a method's name; see add_gi_method.
+using GiBody = GiResult (*)(const FrameInput&, const GBuffer&, const GiMethod&);
+template <GiMethodSettings T>
+GiResult call_indirect_light(const FrameInput& frame, const GBuffer& gbuffer, const GiMethod& method) {
+    return indirect_light(frame, gbuffer, method.get<T>());
+}
+void add_gi_body(const GiMethodType& type, GiBody body);
+
+/// Adds a GI method: a settings struct T with visit_fields(FieldVisitor&, T&) and
+/// GiResult indirect_light(const FrameInput&, const GBuffer&, const T&) beside it. Frames, scene files, --set and the editor
+/// know it from then on, like the engine's own. Call it once, before a scene is read and before any frame is drawn.
+template <GiMethodSettings T>
+void add_gi_method() {
+    add_gi_method_type(GiMethod::type_of<T>());
+    add_gi_body(GiMethod::type_of<T>(), &call_indirect_light<T>);
+}
 
 }  // namespace sl
