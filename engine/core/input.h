@@ -23,6 +23,7 @@ enum class Key : std::size_t {
 // clang-format on
 inline constexpr std::size_t key_count = static_cast<std::size_t>(Key::control) + 1;
 
+/// A value is the button's bit in Input.
 enum class MouseButton : std::size_t { left, right, middle };
 inline constexpr std::size_t mouse_button_count = 3;
 

@@ -80,6 +80,7 @@ mat4 view_from_world(vec3 eye, vec3 forward, vec3 up);
 
 /// Octahedral encoding of a unit vector into 2 x snorm16 (Cigolle et al. 2014). Axis directions are exact.
 std::uint32_t pack_normal(vec3 normal);
+/// Its inverse, of length 1.
 vec3 unpack_normal(std::uint32_t packed);
 
 /// Mixes `value` into a 64-bit hash (splitmix finaliser); order matters.

@@ -9,6 +9,7 @@ struct GLFWwindow;
 
 namespace sl {
 
+/// What a window begins with.
 struct WindowSettings {
     std::string title = "Secondlight";
     uvec2 size{1280, 720};  ///< screen units

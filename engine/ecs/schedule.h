@@ -19,6 +19,7 @@ struct System {
     std::vector<std::size_t> waits;  ///< indices of earlier systems of the same stage
 };
 
+/// How long a system took.
 struct SystemTiming {
     std::string_view name;
     Stage stage = Stage::input;

@@ -20,6 +20,7 @@ class Renderer {
     /// Shaders of a program's own are looked for there, after the engine's.
     void add_shaders(std::filesystem::path folder) { executor_.programs().add_folder(std::move(folder)); }
 
+    /// What a frame is to be.
     struct Request {
         std::uint32_t width = 640;
         std::uint32_t height = 360;

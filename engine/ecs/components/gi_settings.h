@@ -67,7 +67,7 @@ void visit_fields(FieldVisitor& visit, RsmGrid& grid);
 void visit_fields(FieldVisitor& visit, RsmDisc& disc);
 void visit_fields(FieldVisitor& visit, Facets& facets);
 
-/// The engine's own methods. A new one: its settings struct and visit_fields above, one word here, gi/<name>.cpp and its shader.
+/// The engine's own methods. A new one: its settings struct and visit_fields above, one word here, gi/NAME.cpp and its shader.
 /// A method of a program that uses the engine is added by add_gi_method instead (engine/render/gi/gi.h).
 using EngineGiMethods = std::tuple<GiOff, RsmExact, RsmGrid, RsmDisc, Facets>;
 

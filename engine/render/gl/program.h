@@ -48,14 +48,15 @@ using ShaderFolders = std::vector<std::filesystem::path>;
 /// The first folder's file of that name; empty where none has it.
 std::filesystem::path find_shader(const ShaderFolders& folders, const std::filesystem::path& file);
 
-/// Expands #include "path" (relative to a shader folder), each file at most once, keeping track of lines so
-/// that errors name the real file and line. What stands under #ifdef __cplusplus is not expanded; other
+/// Expands `#include "path"` (relative to a shader folder), each file at most once, keeping track of lines so
+/// that errors name the real file and line. What stands under `#ifdef __cplusplus` is not expanded; other
 /// conditions are not looked at. Pure text; no GL. Throws Error for a missing file, an include that leaves
 /// its folder or nests deeper than 32.
 struct ShaderSource {
-    std::string text;                          ///< with #version, defines and #line directives
-    std::vector<std::filesystem::path> files;  ///< index = source string number in #line
+    std::string text;                          ///< with `#version`, defines and `#line` directives
+    std::vector<std::filesystem::path> files;  ///< index = source string number in `#line`
 };
+/// The text of a shader with all that it includes; `defines` are names and values.
 ShaderSource load_shader_source(const ShaderFolders& folders, const std::string& file,
                                 const std::vector<std::pair<std::string, std::string>>& defines);
 /// Rewrites driver messages like "2(14): error" or "2:14(3): error" to "passes/rsm.frag:14: error".
