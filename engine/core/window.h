@@ -35,8 +35,10 @@ class Window {
     Input poll();
     /// Needs a current context.
     void swap();
+    /// Whether swap waits for the screen. Needs a current context.
     void set_vsync(bool on);
 
+    /// Somebody asked the window to close; it goes when the Window does.
     bool close_requested() const;
     void request_close();
     /// Pixels; 0 x 0 while minimised on some systems.

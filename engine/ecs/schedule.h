@@ -41,6 +41,7 @@ class Schedule {
 
     /// All stages in order. An exception from a system passes through; what its stage recorded is then lost.
     void run(World& world);
+    /// One of them, its commands applied at the end.
     void run_stage(Stage stage, World& world);
 
     /// Off by default. When on, systems of a stage that do not wait for each other run side by side where

@@ -13,6 +13,7 @@ namespace sl {
 /// Draws render scenes into images on the current GL context.
 class Renderer {
   public:
+    /// Draws on the current context, which must outlive it. The folder is that of the engine's shaders.
     explicit Renderer(const std::filesystem::path& shader_folder);
 
     /// Every frame from now on has this pass too, after those that were added before and before the picture is exposed.

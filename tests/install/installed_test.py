@@ -56,7 +56,7 @@ def near(pixel, radiance):
 
 def install():
     run("cmake", "--install", build, "--prefix", folder / "first")
-    prefix = folder / "moved"
+    prefix = folder / "moved elsewhere"
     (folder / "first").rename(prefix)
     told = [file for file in prefix.rglob("*") if file.suffix in (".cmake", ".h") and str(source) in file.read_text(encoding="utf-8")]
     check(not told, f"no header and no CMake file names the source folder {told}")

@@ -31,9 +31,11 @@ struct GiMethodType {
 /// A GI method with its settings, whichever it is: a value, like the settings themselves.
 class GiMethod {
   public:
+    /// Not explicit: settings are a method.
     template <GiMethodSettings T>
     GiMethod(T settings) : type_(&type_of<T>()), settings_(std::move(settings)) {}
 
+    /// One for each T, wherever it is asked for.
     template <GiMethodSettings T>
     static const GiMethodType& type_of() {
         static constexpr GiMethodType type{.name = T::name,

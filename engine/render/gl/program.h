@@ -65,6 +65,7 @@ std::string name_files_in_log(const std::string& log, const ShaderSource& source
 /// Compiles programs from shader folders, once per description, and again when a file changes.
 class ProgramCache {
   public:
+    /// The folder in which shaders are looked for first.
     explicit ProgramCache(std::filesystem::path folder);
     /// Looked through after those that are there.
     void add_folder(std::filesystem::path folder) { folders_.push_back(std::move(folder)); }

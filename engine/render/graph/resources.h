@@ -53,6 +53,7 @@ class PersistentStates {
         std::uint64_t last_frame = 0;
     };
 
+    /// Made anew where it is not known, or was of another size or format.
     State& find(const ResourceRecord& resource);
     /// Forgets all contents (after a lost or replaced executor).
     void clear() { states_.clear(); }
