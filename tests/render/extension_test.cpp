@@ -42,7 +42,7 @@ class Extension : public GlTest {
         renderer->add_shaders(folder.path());
     }
     float radiance_of(const std::string& image) {
-        const auto result = renderer->render(builder.scene(), {.width = 8, .height = 8, .wanted = {image}});
+        renderer->render(builder.scene(), {.width = 8, .height = 8, .wanted = {image}});
         return renderer->read_pixel(renderer->find_image(image), {4, 4}).x;
     }
 
