@@ -22,12 +22,14 @@ GiResult indirect_light(const FrameInput& frame, const GBuffer&, const Even& eve
     return {.irradiance = pass.create("irradiance", {.width = 1, .height = 1, .format = Format::rgba32f})};
 }
 
-/// Halves the picture and adds 1 nit: what comes out tells in which order it was done.
-ImageId halve_and_add(const FrameInput& frame, const FrameOutput& made, ImageId picture) {
-    EXPECT_TRUE(made.gbuffer.depth && made.direct && made.irradiance && made.hdr);
-    auto pass = frame.graph.fullscreen("halve_and_add", "halve_and_add.frag");
-    pass.read("picture", picture);
-    return pass.create("halved", frame.screen(Format::rgba32f));
+/// Halves the picture and adds 1 nit: what comes out tells how often that was done.
+PicturePass halve_and_add(const std::string& name) {
+    return [name](const FrameInput& frame, const FrameOutput& made, ImageId picture) {
+        EXPECT_TRUE(made.gbuffer.depth && made.direct && made.irradiance && made.hdr);
+        auto pass = frame.graph.fullscreen(name, "halve_and_add.frag");
+        pass.read("picture", picture);
+        return pass.write("halved", frame.graph.create(name, frame.screen(Format::rgba32f)), Load::discard);
+    };
 }
 
 class Extension : public GlTest {
@@ -58,10 +60,11 @@ TEST_F(Extension, AddedMethodLightsTheSceneLikeTheEngines) {
 
 TEST_F(Extension, AddedPassesFollowOneAnotherBeforeThePictureIsExposed) {
     builder.scene().lights.push_back({.direction = vec3(0, 0, -1), .intensity = vec3(4.0f * pi)});
-    renderer->add_pass(&halve_and_add);
-    EXPECT_NEAR(radiance_of("halved"), 3.0f, 0.01f);
-    renderer->add_pass(&halve_and_add);
-    EXPECT_NEAR(radiance_of("halved"), 2.5f, 0.01f);
+    renderer->add_pass(halve_and_add("once"));
+    EXPECT_NEAR(radiance_of("once"), 3.0f, 0.01f);
+    renderer->add_pass(halve_and_add("twice"));
+    EXPECT_NEAR(radiance_of("once"), 3.0f, 0.01f);
+    EXPECT_NEAR(radiance_of("twice"), 2.5f, 0.01f);
     EXPECT_NEAR(radiance_of("hdr"), 4.0f, 0.01f);
 }
 
