@@ -35,9 +35,11 @@ void visit_fields(sl::FieldVisitor& visit, Hemisphere& method) {
     visit.field("sky", method.sky, {.min = 0, .max = 1e6, .unit = "nit", .help = "Radiance of what is above; more lights what faces up."});
     visit.field("ground", method.ground, {.min = 0, .max = 1e6, .unit = "nit", .help = "Radiance of what is below; more lights what faces down."});
 }
+/// Irradiance, before albedo.
 sl::GiResult indirect_light(const sl::FrameInput& frame, const sl::GBuffer& gbuffer, const Hemisphere& method) {
     auto pass = frame.graph.fullscreen("hemisphere", "hemisphere.frag");
-    pass.params("Hemisphere", sl::HemisphereParams{.sky = sl::vec4(method.sky, 0.0f), .ground = sl::vec4(method.ground, 0.0f)}).read("normal", gbuffer.normal);
+    const sl::HemisphereParams params{.sky = sl::vec4(method.sky, 0.0f), .ground = sl::vec4(method.ground, 0.0f)};
+    pass.params("Hemisphere", params).read("normal", gbuffer.normal);
     return {.irradiance = pass.create("irradiance", frame.screen(sl::Format::rgba32f))};
 }
 

@@ -65,7 +65,8 @@ TEST(GiMethodTest, TheEnginesMethodsAreKnownByName) {
     nlohmann::ordered_json written;
     JsonWriter writer(written);
     visit_fields(writer, settings);
-    const bool right = gi_method_names().back() == "glow" && settings.method.get<Glow>().lux == 25.0f && written == nlohmann::ordered_json({{"method", "glow"}, {"lux", 25}});
+    const bool right = gi_method_names().back() == "glow" && settings.method.get<Glow>().lux == 25.0f &&
+                       written == nlohmann::ordered_json({{"method", "glow"}, {"lux", 25}});
     fmt::print(stderr, "{}", written.dump());
     std::_Exit(right ? 0 : 1);  // without waiting for threads that a forked process has not
 }
