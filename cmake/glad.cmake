@@ -11,4 +11,5 @@ add_custom_command(
 add_custom_target(glad_generated DEPENDS ${GLAD_FOLDER}/include/glad/gl.h)
 add_library(glad INTERFACE)
 add_dependencies(glad glad_generated)
-target_include_directories(glad SYSTEM INTERFACE ${GLAD_FOLDER}/include)
+# Installed, it lies beside our headers.
+target_include_directories(glad SYSTEM INTERFACE $<BUILD_INTERFACE:${GLAD_FOLDER}/include>)

@@ -1,9 +1,17 @@
 # SPDX-License-Identifier: MIT
-# One interface target that every target of ours links: language level, warnings, sanitizers.
-add_library(sl_options INTERFACE)
-target_compile_features(sl_options INTERFACE cxx_std_20)
+# What every source of ours is compiled with, and what programs that use the engine must share with it.
+add_library(sl_interface INTERFACE)
+target_compile_features(sl_interface INTERFACE cxx_std_20)
+target_link_libraries(sl_interface INTERFACE glm::glm fmt::fmt spdlog::spdlog)
+target_compile_definitions(sl_interface INTERFACE GLM_FORCE_DEPTH_ZERO_TO_ONE GLM_ENABLE_EXPERIMENTAL)
 # shader/ too: shader/shared/*.h are read by C++ and GLSL under one name.
-target_include_directories(sl_options INTERFACE ${CMAKE_SOURCE_DIR} ${CMAKE_SOURCE_DIR}/shader)
+target_include_directories(sl_interface INTERFACE
+    $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}> $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}/shader>
+    $<INSTALL_INTERFACE:${SL_HEADERS}> $<INSTALL_INTERFACE:${SL_DATA}/shader>)
+
+# Warnings and sanitizers are ours alone.
+add_library(sl_options INTERFACE)
+target_link_libraries(sl_options INTERFACE sl_interface)
 # Designated initialisers leave the rest at its default on purpose; g++ 12 sees overlaps in every "a" + std::string(b).
 target_compile_options(sl_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
                                             -Wno-missing-field-initializers $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
@@ -18,8 +26,6 @@ if(SL_SANITIZE)
                                                 -fno-sanitize-recover=all)
     target_link_options(sl_options INTERFACE -fsanitize=address,undefined)
 endif()
-target_link_libraries(sl_options INTERFACE glm::glm fmt::fmt spdlog::spdlog)
-target_compile_definitions(sl_options INTERFACE GLM_FORCE_DEPTH_ZERO_TO_ONE GLM_ENABLE_EXPERIMENTAL)
 
 # What nearly every source includes is parsed once: it takes longer than most of our own code.
 file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/precompiled.cpp CONTENT "")
@@ -41,9 +47,9 @@ function(sl_library name)
     if(sources)
         add_library(${name} STATIC ${sources})
         target_precompile_headers(${name} REUSE_FROM sl_headers)
-        target_link_libraries(${name} PUBLIC sl_options ${ARG_LINK})
+        target_link_libraries(${name} PUBLIC sl_interface $<BUILD_INTERFACE:sl_options> ${ARG_LINK})
     else()
         add_library(${name} INTERFACE)
-        target_link_libraries(${name} INTERFACE sl_options ${ARG_LINK})
+        target_link_libraries(${name} INTERFACE sl_interface $<BUILD_INTERFACE:sl_options> ${ARG_LINK})
     endif()
 endfunction()

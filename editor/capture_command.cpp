@@ -53,10 +53,10 @@ class CommandWords {
 
     void choose_method(Entity shown_camera) {
         const auto* wanted = shown_.find<GiSettings>(shown_camera);
-        const std::string_view name = wanted != nullptr ? gi_method_name(wanted->method) : GiOff::name;
+        const std::string_view name = wanted != nullptr ? wanted->method.name() : GiOff::name;
         const Entity camera = active_camera(made_);
         const auto* now = camera ? made_.find<GiSettings>(camera) : nullptr;
-        if (now != nullptr ? gi_method_name(now->method) == name : wanted == nullptr) return;
+        if (now != nullptr ? now->method.name() == name : wanted == nullptr) return;
         add("--gi", std::string(name));
         const GiSettings settings{make_gi_method(name)};
         if (camera) made_.add(camera, settings);

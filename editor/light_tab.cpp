@@ -26,7 +26,7 @@ void gi_section(const EditedScene& scene, Entity camera) {
     if (!camera) {
         ImGui::TextWrapped("No camera is active.");
     } else if (const auto* settings = scene.world.find<GiSettings>(camera)) {
-        const std::string_view claims = gi_method_claims(settings->method);
+        const std::string_view claims = settings->method.claims();
         ImGui::PushTextWrapPos(0.0f);
         ImGui::TextDisabled("%.*s", static_cast<int>(claims.size()), claims.data());
         ImGui::PopTextWrapPos();
@@ -60,7 +60,7 @@ void gi_times(const FrameReport& report, const GiSettings* settings, LightTab& s
     }
     if (report.noise) ImGui::Text("noise %.1f %% of the irradiance", 100.0 * static_cast<double>(*report.noise));
     if (report.progress < 1.0f) ImGui::Text("%.1f %% done", 100.0 * static_cast<double>(report.progress));
-    const auto* disc = settings == nullptr ? nullptr : std::get_if<RsmDisc>(&settings->method);
+    const auto* disc = settings == nullptr ? nullptr : settings->method.get_if<RsmDisc>();
     if (disc != nullptr && report.refined) disc_figures(*disc, *report.refined);
 }
 

@@ -6,12 +6,12 @@
 #include "engine/core/error.h"
 #include "engine/core/json_text.h"
 #include "engine/core/text_file.h"
-#include "game/source_folder.h"
+#include "engine/render/data_folder.h"
 
 namespace sl {
 
 std::vector<GiPreset> gi_presets() {
-    const auto file = game_folder() / "gi_presets.json";
+    const auto file = data_folder() / "game/gi_presets.json";
     const nlohmann::json json = parse_json(read_text_file(file, 1u << 20), file.string());
     std::vector<GiPreset> presets;
     try {

@@ -22,30 +22,29 @@ constexpr float elevation_speed = 0.4f;  // rad/s
 constexpr float exposure_speed = 2.0f;   // EV/s
 constexpr float drag_speed = 0.003f;     // rad per unit of mouse movement
 
-static_assert(std::is_same_v<std::variant_alternative_t<0, GiMethod>, GiOff>);
-
-void switch_method(World& world, Entity camera, std::size_t to) {
+void switch_method(World& world, Entity camera, std::string_view name) {
     auto& keys = world.resource<LightKeys>();
     if (const auto* now = world.find<GiSettings>(camera)) {
-        keys.kept[now->method.index()] = now->method;
-        if (to == 0) keys.before_off = now->method.index();
+        keys.kept.insert_or_assign(now->method.name(), now->method);
+        if (name == GiOff::name) keys.before_off = now->method.name();
     }
-    const std::string_view name = gi_method_names()[to];
-    const GiMethod method = keys.kept[to] ? *keys.kept[to] : make_gi_method(name);
+    const auto kept = keys.kept.find(name);
+    const GiMethod method = kept != keys.kept.end() ? kept->second : make_gi_method(name);
     world.add(camera, GiSettings{method});
     log::info("GI: {}", name);
-    world.resource<Notice>().say(fmt::format("GI: {}\n{}", name, gi_method_claims(method)));
+    world.resource<Notice>().say(fmt::format("GI: {}\n{}", name, method.claims()));
 }
 
 void method_keys(World& world, const Input& input, Entity camera) {
     const auto* settings = world.find<GiSettings>(camera);
-    const std::size_t now = settings != nullptr ? settings->method.index() : 0;
+    const GiMethod now = settings != nullptr ? settings->method : GiOff{};
     if (input.pressed(Key::g)) {
-        switch_method(world, camera, (now + 1) % std::variant_size_v<GiMethod>);
+        const auto names = gi_method_names();
+        switch_method(world, camera, names[(gi_method_index(now) + 1) % names.size()]);
     } else if (input.pressed(Key::o)) {
-        const std::size_t before = world.resource<LightKeys>().before_off;
-        const std::size_t usual = GiSettings{}.method.index();
-        switch_method(world, camera, now != 0 ? 0 : before != 0 ? before : usual);
+        const std::string_view before = world.resource<LightKeys>().before_off;
+        const std::string_view brought_back = before.empty() ? GiSettings{}.method.name() : before;
+        switch_method(world, camera, now.is<GiOff>() ? brought_back : GiOff::name);
     }
 }
 

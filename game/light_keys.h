@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
+
 #include "engine/ecs/app.h"
 #include "engine/ecs/components/gi_settings.h"
 
@@ -8,8 +10,8 @@ namespace sl {
 
 /// Settings of the GI methods that are not in use, so that they are found again; a resource.
 struct LightKeys {
-    std::array<std::optional<GiMethod>, std::variant_size_v<GiMethod>> kept;
-    std::size_t before_off = 0;  ///< method that O brings back; 0, which is off, before the first
+    std::map<std::string_view, GiMethod> kept;  ///< by name
+    std::string_view before_off;                ///< method that O brings back; empty before the first
 };
 
 /// G goes to the next GI method of the active camera, O turns GI off and on; [ ] and left/right turn every

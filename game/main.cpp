@@ -14,7 +14,7 @@ int run(int argc, char** argv) {
         .name = "secondlight",
         .about = "Secondlight: a game engine whose global illumination comes with its error measured.\n"
                  "Without a command it opens the game in a window, or, where there is no display, renders a tour into out/.",
-        .version = "0.1.0",
+        .version = SL_VERSION,
         .declare =
             [&](const sl::Flags& line) {
                 line.add("--context", flags.context, "Where OpenGL comes from: auto, window, egl (no display), osmesa (no GPU stack)");

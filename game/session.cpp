@@ -19,10 +19,10 @@
 #include "engine/ecs/scene_file.h"
 #include "engine/ecs/set_field.h"
 #include "engine/ecs/systems/load_models.h"
+#include "engine/render/data_folder.h"
 #include "game/crystals/crystals.h"
 #include "game/gi_presets.h"
 #include "game/model_scene.h"
-#include "game/source_folder.h"
 #include "game/streaming/terrain_stream.h"
 #include "game/voxel_content.h"
 
@@ -32,7 +32,7 @@ namespace {
 
 std::filesystem::path scene_folder() {
     if (const char* chosen = std::getenv("SECONDLIGHT_SCENES")) return chosen;
-    return game_folder() / "scenes";
+    return data_folder() / "game/scenes";
 }
 
 std::string description_of(const std::filesystem::path& file) {
@@ -90,6 +90,13 @@ void choose_gi(App& app, const std::string& gi) {
     for (const std::string& setting : preset_settings(gi.substr(0, colon), gi.substr(colon + 1))) {
         set_field(app.world, app.registry(), "gi." + setting);
     }
+}
+
+std::uint32_t map_size(const GiSettings& settings) {
+    for (const FieldRow& row : list_fields(settings)) {
+        if (row.name == "rsm_size") return static_cast<std::uint32_t>(std::stoul(row.value));
+    }
+    return 0;
 }
 
 App empty_game() {

@@ -53,6 +53,9 @@ App open_scene(const SceneChoice& choice);
 /// Puts a GI method on the active camera and on all that have one: "method" or "method:preset". Throws Error naming the choices.
 void choose_gi(App& app, const std::string& gi);
 
+/// Side of the lights' maps that its method asks for, texels; 0 for methods without maps.
+std::uint32_t map_size(const GiSettings& settings);
+
 /// Names and one-line descriptions of the scenes that come with the game.
 struct SceneListing {
     std::string name, description;

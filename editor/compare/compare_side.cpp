@@ -27,7 +27,7 @@ void CompareSide::draw(RenderScene scene, const Renderer::Request& request) {
     if (number < first_method) return rest();
     const std::string_view method = gi_method_names()[number - first_method];
     // Its own settings where the live picture has them, and those that the method comes with otherwise.
-    if (!scene.gi || gi_method_name(scene.gi->method) != method) scene.gi = GiSettings{make_gi_method(method)};
+    if (!scene.gi || scene.gi->method.name() != method) scene.gi = GiSettings{make_gi_method(method)};
     if (renderer_ == nullptr) renderer_ = std::make_unique<Renderer>(shader_folder());
     size_ = {request.width, request.height};
     result_ = renderer_->render(scene, {.width = request.width, .height = request.height, .frame_index = request.frame_index, .slice_budget = request.slice_budget});

@@ -28,7 +28,7 @@ void FacetOutlines::prepare(Renderer::Request& request) const {
 }
 
 void FacetOutlines::update(const SeenFrame& frame) {
-    const bool facets = frame.scene.gi && std::holds_alternative<Facets>(frame.scene.gi->method);
+    const bool facets = frame.scene.gi && frame.scene.gi->method.is<Facets>();
     if (!on || !facets || !frame.renderer.readable(frame.result.images.gbuffer.depth)) return outlines_.clear();
     until_read_ -= frame.seconds;
     if (until_read_ <= 0.0 || shown_ != colour) read(frame);

@@ -12,6 +12,7 @@ namespace sl {
 /// where no known name is near, and long lists are cut. For error messages.
 std::string no_such_name(std::string_view kind, std::string_view wrong,
                          std::span<const std::string_view> known);
+/// The same of names that are strings of their own.
 std::string no_such_name(std::string_view kind, std::string_view wrong, std::span<const std::string> known);
 
 /// Text from outside, fit for one line of a message: control characters become '?', what is longer than

@@ -23,6 +23,7 @@ class FieldClamp final : public FieldVisitor {
                 const FieldInfo& info) override;
 };
 
+/// Brings every field of a component into its range.
 template <class Component>
 void clamp_fields(Component& component) {
     FieldClamp clamp;

@@ -12,6 +12,7 @@
 
 namespace sl {
 
+/// Both ends are inside.
 template <class T>
 struct FieldRange {
     T low, high;

@@ -31,6 +31,7 @@ class FieldVisitor {
   public:
     virtual ~FieldVisitor() = default;
 
+    /// One field of the component, by the name that files and people use. It may be read, written or left alone.
     virtual void field(std::string_view name, bool& value, const FieldInfo& info) = 0;
     virtual void field(std::string_view name, std::int32_t& value, const FieldInfo& info) = 0;
     virtual void field(std::string_view name, std::uint32_t& value, const FieldInfo& info) = 0;

@@ -17,9 +17,11 @@ struct Image {
     std::vector<float> data;
 
     Image() = default;
+    /// All 0.
     Image(std::uint32_t width_, std::uint32_t height_, std::uint32_t channels_)
         : width(width_), height(height_), channels(channels_), data(std::size_t{width_} * height_ * channels_) {}
 
+    /// Its first channel; the others follow. (0, 0) is the upper left.
     float* pixel(std::uint32_t x, std::uint32_t y) { return &data[(std::size_t{y} * width + x) * channels]; }
     const float* pixel(std::uint32_t x, std::uint32_t y) const { return const_cast<Image*>(this)->pixel(x, y); }
 };

@@ -25,6 +25,7 @@ enum class Key : std::size_t {
 // clang-format on
 inline constexpr std::size_t key_count = static_cast<std::size_t>(Key::control) + 1;
 
+/// A value is the button's bit in Input.
 enum class MouseButton : std::size_t { left, right, middle };
 inline constexpr std::size_t mouse_button_count = 3;
 
@@ -43,6 +44,7 @@ struct Input {
     vec2 stick{0.0f};  ///< right and forward, -1 to 1: how far a gamepad's stick asks to walk, beside the keys
 
     bool down(Key key) const { return keys_down[static_cast<std::size_t>(key)]; }
+    /// Went down since the last frame.
     bool pressed(Key key) const { return keys_pressed[static_cast<std::size_t>(key)]; }
     /// Held at some time since the last frame, however short: for what goes on as long as a key is down.
     bool active(Key key) const {
@@ -54,6 +56,7 @@ struct Input {
         return static_cast<float>(active(positive)) - static_cast<float>(active(negative));
     }
 
+    /// As if no key had been touched: somebody else has them.
     void ignore_keys() {
         keys_down.reset();
         keys_pressed.reset();

@@ -12,6 +12,7 @@ namespace sl {
 /// In the order of Key, as settings name them.
 std::span<const std::string_view> key_names();
 
+/// As in settings.json: "page_up".
 inline std::string_view key_name(Key key) { return key_names()[static_cast<std::size_t>(key)]; }
 
 /// For people: "Page up" for page_up, "[" for left_bracket.

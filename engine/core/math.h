@@ -36,7 +36,9 @@ struct Bounds {
     /// Larger by as much on all sides; still empty when empty.
     Bounds grown(float margin) const { return empty() ? *this : Bounds{low - margin, high + margin}; }
     Bounds moved(vec3 offset) const { return {low + offset, high + offset}; }
+    /// Sides belong to it.
     bool contains(vec3 point) const { return glm::all(glm::greaterThanEqual(point, low)) && glm::all(glm::lessThanEqual(point, high)); }
+    /// Whether they share a point, be it of their sides alone.
     bool touches(const Bounds& other) const { return glm::all(glm::lessThanEqual(low, other.high)) && glm::all(glm::lessThanEqual(other.low, high)); }
     /// Whether the way from a point along `direction`, up to `farthest` of its lengths, passes through.
     bool meets(vec3 origin, vec3 direction, float farthest) const {
@@ -49,6 +51,7 @@ struct Bounds {
         }
         return near <= far;
     }
+    /// Grows as far as is needed to contain it.
     void add(vec3 point) {
         low = glm::min(low, point);
         high = glm::max(high, point);
@@ -80,6 +83,7 @@ mat4 view_from_world(vec3 eye, vec3 forward, vec3 up);
 
 /// Octahedral encoding of a unit vector into 2 x snorm16 (Cigolle et al. 2014). Axis directions are exact.
 std::uint32_t pack_normal(vec3 normal);
+/// Its inverse, of length 1.
 vec3 unpack_normal(std::uint32_t packed);
 
 /// Mixes `value` into a 64-bit hash (splitmix finaliser); order matters.

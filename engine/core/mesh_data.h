@@ -37,6 +37,7 @@ struct MeshData {
     Bounds changed;             ///< where its surface differs from the last version's; empty: anywhere
 };
 
+/// Names a mesh of the MeshPool.
 using MeshHandle = Handle<MeshData>;
 /// All meshes of a world, a resource.
 using MeshPool = SlotMap<MeshData>;

@@ -27,6 +27,7 @@ class SlotMap {
   public:
     using Id = Handle<T>;
 
+    /// Slots of erased values are used again, under another generation.
     Id insert(T value) {
         std::uint32_t slot = 0;
         if (free_.empty()) {
@@ -50,12 +51,14 @@ class SlotMap {
         --count_;
     }
 
+    /// Null for a stale handle and for none.
     T* find(Id id) {
         if (id.slot >= slots_.size() || slots_[id.slot].generation != id.generation) return nullptr;
         return slots_[id.slot].value ? &*slots_[id.slot].value : nullptr;
     }
     const T* find(Id id) const { return const_cast<SlotMap*>(this)->find(id); }
 
+    /// Stops on a stale handle.
     T& at(Id id) {
         T* value = find(id);
         CHECK(value != nullptr, "stale handle: slot {}, generation {}", id.slot, id.generation);

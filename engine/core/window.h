@@ -9,6 +9,7 @@ struct GLFWwindow;
 
 namespace sl {
 
+/// What a window begins with.
 struct WindowSettings {
     std::string title = "Secondlight";
     uvec2 size{1280, 720};  ///< screen units
@@ -34,8 +35,10 @@ class Window {
     Input poll();
     /// Needs a current context.
     void swap();
+    /// Whether swap waits for the screen. Needs a current context.
     void set_vsync(bool on);
 
+    /// Somebody asked the window to close; it goes when the Window does.
     bool close_requested() const;
     void request_close();
     /// Takes that back, whoever asked for it.

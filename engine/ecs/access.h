@@ -28,10 +28,11 @@ struct Access {
 
 /// "Transform, MeshPool", "everything", or "-" for nothing.
 std::string describe_reads(const Access& access);
+/// The same of what is written.
 std::string describe_writes(const Access& access);
 
 /// How a parameter of a system is declared and filled. Write `const Res&` or `Res&` for a resource; also
-/// allowed are Query<…>, Commands&, const World& and World&.
+/// allowed are `Query<…>`, Commands&, const World& and World&.
 template <class Param>
 struct SystemParam {
     static_assert(std::is_lvalue_reference_v<Param>,
@@ -47,6 +48,7 @@ struct SystemParam {
     static Param fetch(World& world, Commands&) { return world.resource<Resource>(); }
 };
 
+/// Its terms tell what it reads and writes.
 template <class... Terms>
 struct SystemParam<Query<Terms...>> {
     static void declare(Access& access) { (declare_term<QueryTerm<Terms>>(access), ...); }
@@ -65,22 +67,26 @@ struct SystemParam<Query<Terms...>> {
 template <class... Terms>
 struct SystemParam<const Query<Terms...>&> : SystemParam<Query<Terms...>> {};
 
+/// Those who record changes run one after another, so that entities are numbered alike in every run.
 template <>
 struct SystemParam<Commands&> {
     static void declare(Access& access) { access.add_write(typeid(Commands)); }
     static Commands& fetch(World&, Commands& commands) { return commands; }
 };
+/// Runs alone.
 template <>
 struct SystemParam<World&> {
     static void declare(Access& access) { access.writes_world = true; }
     static World& fetch(World& world, Commands&) { return world; }
 };
+/// Waits for every writer.
 template <>
 struct SystemParam<const World&> {
     static void declare(Access& access) { access.reads_world = true; }
     static const World& fetch(World& world, Commands&) { return world; }
 };
 
+/// What a system touches, as its parameters say.
 template <class... Params>
 Access access_of(void (*)(Params...)) {
     Access access;

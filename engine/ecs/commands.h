@@ -11,6 +11,7 @@ namespace sl {
 /// every run.
 class Commands {
   public:
+    /// The world must outlive it.
     explicit Commands(World& world) : world_(&world) {}
 
     /// The entity lives at once, so that its name can be stored; its components come with apply.
@@ -21,14 +22,17 @@ class Commands {
         (add(entity, std::move(components)), ...);
         return entity;
     }
+    /// Dies with apply.
     void destroy(Entity entity) { record(entity, &run_destroy, nullptr, 0); }
 
+    /// Comes with apply, and replaces what is there by then.
     template <class T>
     void add(Entity entity, T value = {}) {
         Values<T>& values = values_of<T>();
         values.items.push_back(std::move(value));
         record(entity, &run_add<T>, &values, values.items.size() - 1);
     }
+    /// Goes with apply.
     template <class T>
     void remove(Entity entity) {
         record(entity, &run_remove<T>, nullptr, 0);

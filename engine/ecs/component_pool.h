@@ -53,12 +53,14 @@ class ComponentPool final : public PoolIndex {
         swap_entities(a, b);
     }
 
+    /// Null where the entity has none.
     T* find(Entity entity) {
         const std::uint32_t at = position(entity);
         return at == none ? nullptr : &values_[at];
     }
     const T* find(Entity entity) const { return const_cast<ComponentPool*>(this)->find(entity); }
 
+    /// The entity must have it.
     T& get(Entity entity) {
         T* value = find(entity);
         CHECK(value != nullptr, "entity {} (generation {}) has no {}", entity.index, entity.generation,

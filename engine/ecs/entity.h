@@ -21,6 +21,7 @@ struct Entity {
 
 }  // namespace sl
 
+/// Entities as keys of unordered containers.
 template <>
 struct std::hash<sl::Entity> {
     std::size_t operator()(const sl::Entity& entity) const noexcept {

@@ -47,6 +47,7 @@ struct HugePageAllocator {
     static constexpr bool large(std::size_t count) { return count >= huge_page / sizeof(T); }
 };
 
+/// A vector in huge pages where the system has them.
 template <class T>
 using LargeVector = std::vector<T, HugePageAllocator<T>>;
 

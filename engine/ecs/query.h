@@ -198,6 +198,7 @@ class Query {
     AlignmentCache* alignments_;
 };
 
+/// Walks the entities that match.
 template <class... Terms>
 class Query<Terms...>::Iterator {
   public:

@@ -18,8 +18,10 @@ struct Without {};
 template <class T>
 struct Maybe {};
 
+/// What a query does with a component.
 enum class TermKind { value, with, without, maybe };
 
+/// What all terms tell of themselves.
 template <class T, TermKind Kind>
 struct QueryTermBase {
     using Component = std::remove_const_t<T>;
@@ -38,14 +40,17 @@ template <class T>
 struct QueryTerm : QueryTermBase<T, TermKind::value> {
     static std::tuple<T&> item(T* values, std::size_t position) { return {values[position]}; }
 };
+/// Passes nothing.
 template <class T>
 struct QueryTerm<With<T>> : QueryTermBase<const T, TermKind::with> {
     static std::tuple<> item(const T*, std::size_t) { return {}; }
 };
+/// Passes nothing.
 template <class T>
 struct QueryTerm<Without<T>> : QueryTermBase<const T, TermKind::without> {
     static std::tuple<> item(const T*, std::size_t) { return {}; }
 };
+/// Passes a pointer, null where the entity lacks the component.
 template <class T>
 struct QueryTerm<Maybe<T>> : QueryTermBase<T, TermKind::maybe> {
     static std::tuple<T*> item(T* values, std::size_t position) {

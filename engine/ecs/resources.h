@@ -36,6 +36,7 @@ class Resources {
         if (number < boxes_.size()) boxes_[number].reset();
     }
 
+    /// Null where there is none.
     template <class R>
     R* find() {
         const std::size_t number = type_number<Resources, R>();
@@ -47,6 +48,7 @@ class Resources {
         return const_cast<Resources*>(this)->find<R>();
     }
 
+    /// It must be there; stops with its name where it is not.
     template <class R>
     R& get() {
         R* value = find<R>();

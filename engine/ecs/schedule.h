@@ -19,6 +19,7 @@ struct System {
     std::vector<std::size_t> waits;  ///< indices of earlier systems of the same stage
 };
 
+/// How long a system took.
 struct SystemTiming {
     std::string_view name;
     Stage stage = Stage::input;
@@ -40,6 +41,7 @@ class Schedule {
 
     /// All stages in order. An exception from a system passes through; what its stage recorded is then lost.
     void run(World& world);
+    /// One of them, its commands applied at the end.
     void run_stage(Stage stage, World& world);
 
     /// Off by default. When on, systems of a stage that do not wait for each other run side by side where

@@ -21,6 +21,7 @@ inline constexpr std::array<std::string_view, 6> stage_names{"input", "simulate"
                                                              "mesh",  "extract",  "present"};
 inline constexpr std::size_t stage_count = stage_names.size();
 
+/// As `capture --print-schedule` shows it.
 constexpr std::string_view stage_name(Stage stage) {
     return stage_names[static_cast<std::size_t>(stage)];
 }

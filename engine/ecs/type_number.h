@@ -6,6 +6,7 @@
 
 namespace sl {
 
+/// A number that the family has not given yet.
 template <class Family>
 std::uint32_t next_type_number() {
     static std::atomic<std::uint32_t> next{0};

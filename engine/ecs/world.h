@@ -20,7 +20,9 @@ class World {
     /// A new entity; components of distinct types may come with it.
     template <class... T>
     Entity create(T... components);
+    /// With all its components; nothing happens where it is dead.
     void destroy(Entity entity);
+    /// Whether the name is of an entity that has not been destroyed since.
     bool alive(Entity entity) const {
         return entity.index < records_.size() && records_[entity.index].generation == entity.generation &&
                entity.generation % 2 == 1;
@@ -48,6 +50,7 @@ class World {
         }
     }
 
+    /// Null where the entity has none, or is dead.
     template <class T>
     T* find(Entity entity) {
         ComponentPool<T>* found = find_pool<T>();
@@ -57,6 +60,7 @@ class World {
     const T* find(Entity entity) const {
         return const_cast<World*>(this)->find<T>(entity);
     }
+    /// The entity must have it; stops with both names where it has not.
     template <class T>
     T& get(Entity entity) {
         T* value = find<T>(entity);
@@ -79,8 +83,10 @@ class World {
     template <class First, class... Others>
     void align();
 
+    /// Things that the world has once, by type; see Resources.
     Resources& resources() { return resources_; }
     const Resources& resources() const { return resources_; }
+    /// It must be there.
     template <class R>
     R& resource() {
         return resources_.get<R>();
@@ -89,6 +95,7 @@ class World {
     const R& resource() const {
         return resources_.get<R>();
     }
+    /// Null where there is none.
     template <class R>
     R* find_resource() {
         return resources_.find<R>();
@@ -97,10 +104,12 @@ class World {
     const R* find_resource() const {
         return resources_.find<R>();
     }
+    /// Replaces the one that is there.
     template <class R>
     R& add_resource(R value) {
         return resources_.add<R>(std::move(value));
     }
+    /// The same, made in place: for types that cannot be moved.
     template <class R, class... Args>
     R& emplace_resource(Args&&... args) {
         return resources_.emplace<R>(std::forward<Args>(args)...);
@@ -109,6 +118,7 @@ class World {
     /// The pool of T, made on first use. Only for code that walks pools itself, as Query does.
     template <class T>
     ComponentPool<T>& pool();
+    /// Null where no entity has ever had one.
     template <class T>
     ComponentPool<T>* find_pool() {
         const std::size_t number = component_number<T>();

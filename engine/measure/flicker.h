@@ -52,6 +52,7 @@ struct FlickerFigures {
     double rms = 0.0, median = 0.0, p99 = 0.0;
     std::size_t pixels = 0;
 };
+/// Of the pixels whose mask is not 0; an empty mask counts all.
 FlickerFigures flicker_figures(const Image& map, const std::vector<float>& mask);
 
 /// What is left of a root mean square when that of an independent error is taken out; 0 where the error is all of it.

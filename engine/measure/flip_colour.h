@@ -13,6 +13,7 @@ vec3 linear_from_srgb(vec3 encoded);
 /// YyCxCz: lightness-like Y, red-green Cx, blue-yellow Cz, all linear in the colour. White is (100, 0, 0), black
 /// (−16, 0, 0).
 vec3 opponent_from_linear(vec3 linear);
+/// The inverse.
 vec3 linear_from_opponent(vec3 opponent);
 
 /// CIELAB with a and b multiplied by 0.01 · L: colour differences count less in the dark (Hunt 1952).

@@ -11,6 +11,7 @@ struct Spread {
     double low = 0, first = 0, median = 0, third = 0, high = 0;
 };
 
+/// Quartiles by nearest rank; the values may come in any order.
 inline Spread spread_of(std::vector<double> values) {
     if (values.empty()) return {};
     std::ranges::sort(values);

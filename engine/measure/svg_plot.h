@@ -6,6 +6,7 @@
 
 namespace sl {
 
+/// One mark of a plot.
 struct PlotPoint {
     double x = 0.0, y = 0.0;
     std::string label;      ///< shown when the pointer rests on it

@@ -19,6 +19,7 @@ struct CaptureSettings {
     Executor::OnStep on_step{};        ///< of the last frame
 };
 
+/// What a capture leaves.
 struct Capture {
     Image picture;                   ///< display-referred, what a PNG holds
     std::vector<ImageLayer> layers;  ///< linear: "" (radiance), direct, irradiance, albedo, normal, depth, shown image

@@ -31,6 +31,7 @@ DisplayMapping display_mapping(const std::string& name, const Image& image, floa
 
 /// An image of a frame as people can look at it, sRGB-encoded.
 Image displayable(const Image& image, const DisplayMapping& mapping);
+/// The same with the mapping that its name asks for. `exposure` multiplies nit.
 inline Image displayable(const std::string& name, const Image& image, float exposure) { return displayable(image, display_mapping(name, image, exposure)); }
 
 }  // namespace sl

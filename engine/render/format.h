@@ -8,6 +8,7 @@ namespace sl {
 /// Pixel formats that passes use; the GL layer maps each to its internal format.
 enum class Format : std::uint8_t { rgba8, srgb8_alpha8, rg8, rg16, r16f, rgba16f, r32f, rg32f, rgba32f, r32ui, rg32ui, depth32f };
 
+/// Whether images of it are depth buffers.
 constexpr bool is_depth(Format format) { return format == Format::depth32f; }
 
 /// Bytes per pixel.

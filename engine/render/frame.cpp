@@ -7,16 +7,15 @@
 
 namespace sl {
 
-FrameOutput build_frame(const FrameInput& frame) {
+FrameOutput build_frame(const FrameInput& frame, std::span<const PicturePass> added) {
     FrameOutput output;
     output.gbuffer = gbuffer(frame);
     const ShadowMaps shadows = shadow_maps(frame);
     output.next_suns_are_drawn = shadows.next_is_drawn;
     output.direct = direct_light(frame, output.gbuffer, shadows);
 
-    const GiMethod method = frame.scene.gi ? frame.scene.gi->method : GiMethod{GiOff{}};
     frame.graph.group(gi_group);
-    const GiResult gi = std::visit([&](const auto& settings) { return indirect_light(frame, output.gbuffer, settings); }, method);
+    const GiResult gi = run_gi_method(frame, output.gbuffer, frame.scene.gi ? frame.scene.gi->method : GiOff{});
     frame.graph.group({});
     output.irradiance = gi.irradiance;
     output.gi_progress = gi.progress;
@@ -24,7 +23,8 @@ FrameOutput build_frame(const FrameInput& frame) {
     output.gi_error = gi.error;
 
     output.hdr = compose(frame, output.gbuffer, output.direct, output.irradiance);
-    const ImageId seen = water(frame, {.gbuffer = output.gbuffer, .shadows = shadows, .hdr = output.hdr, .irradiance = output.irradiance});
+    ImageId seen = water(frame, {.gbuffer = output.gbuffer, .shadows = shadows, .hdr = output.hdr, .irradiance = output.irradiance});
+    for (const PicturePass& pass : added) seen = pass(frame, output, seen);
     const ImageId ldr = tonemap(frame, seen);
     output.final = frame.scene.view->antialias ? antialias(frame, ldr) : ldr;
     return output;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
+
 #include "engine/render/gi/gi.h"
 
 namespace sl {
@@ -18,11 +20,15 @@ struct FrameOutput {
     bool next_suns_are_drawn = false;  ///< the maps of suns that are about to move
 };
 
+/// A pass that a program adds: takes what the frame has made and the picture so far (nit, rgba32f, not exposed yet), adds to
+/// frame.graph what it needs, and returns the picture that goes on.
+using PicturePass = std::function<ImageId(const FrameInput& frame, const FrameOutput& made, ImageId picture)>;
+
 /// The group of all passes that the GI method asked for.
 inline constexpr std::string_view gi_group = "gi";
 
 /// The table of contents of a frame. No GL: each line takes image handles and returns image handles, and a pass exists
-/// because a later line asked for what it makes.
-FrameOutput build_frame(const FrameInput& frame);
+/// because a later line asked for what it makes. `added` run in their order before the picture is exposed.
+FrameOutput build_frame(const FrameInput& frame, std::span<const PicturePass> added);
 
 }  // namespace sl

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <set>
 
 #include "engine/core/error.h"
@@ -37,7 +36,7 @@ Renderer::Result Renderer::render(const RenderScene& given, const Request& reque
                            .gi_gpu_seconds = 1e-3 * gi_milliseconds(executor_.timers().newest()),
                            .seconds = request.seconds,
                            .time = request.time};
-    images_ = build_frame(frame);
+    images_ = build_frame(frame, passes_);
     result.images = images_;
     graph_.want(result.images.final);
     if (request.want_irradiance) graph_.want(result.images.irradiance);
@@ -92,13 +91,6 @@ std::vector<std::string> image_names(const FrameGraph& graph) {
         if (!resource.is_buffer && resource.lifetime != Lifetime::external) names.insert(resource.name);
     }
     return {names.begin(), names.end()};
-}
-
-std::filesystem::path shader_folder() {
-    if (const char* chosen = std::getenv("SECONDLIGHT_SHADERS")) return chosen;
-    const std::filesystem::path source = SL_SOURCE_FOLDER "/shader";
-    if (std::filesystem::exists(source)) return source;
-    return std::filesystem::canonical("/proc/self/exe").parent_path() / "shader";
 }
 
 }  // namespace sl

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/core/image.h"
+#include "engine/render/data_folder.h"
 #include "engine/render/execute.h"
 #include "engine/render/frame.h"
 #include "engine/render/gi/facet_light.h"
@@ -12,8 +13,15 @@ namespace sl {
 /// Draws render scenes into images on the current GL context.
 class Renderer {
   public:
+    /// Draws on the current context, which must outlive it. The folder is that of the engine's shaders.
     explicit Renderer(const std::filesystem::path& shader_folder);
 
+    /// Every frame from now on has this pass too, after those that were added before and before the picture is exposed.
+    void add_pass(PicturePass pass) { passes_.push_back(std::move(pass)); }
+    /// Shaders of a program's own are looked for there, after the engine's.
+    void add_shaders(std::filesystem::path folder) { executor_.programs().add_folder(std::move(folder)); }
+
+    /// What a frame is to be.
     struct Request {
         std::uint32_t width = 640;
         std::uint32_t height = 360;
@@ -72,12 +80,10 @@ class Renderer {
     GpuScene gpu_scene_;
     FacetLight facets_;
     SunSteps suns_;
+    std::vector<PicturePass> passes_;
 };
 
 /// Names of all images that a graph makes, for messages and lists.
 std::vector<std::string> image_names(const FrameGraph& graph);
-
-/// Where shaders lie: $SECONDLIGHT_SHADERS, or the folder of the source tree, or beside the program.
-std::filesystem::path shader_folder();
 
 }  // namespace sl

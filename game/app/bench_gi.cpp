@@ -83,14 +83,10 @@ std::string command_of(const GiBenchFlags& flags) {
 }
 
 /// The map size of a candidate; 0 for methods without maps.
-std::uint32_t map_size(const std::string& scene, const BenchCandidate& candidate) {
+std::uint32_t candidate_map_size(const std::string& scene, const BenchCandidate& candidate) {
     App app = open_scene(choice_of(scene, candidate));
     const auto* settings = app.world.find<GiSettings>(active_camera(app.world));
-    if (settings == nullptr) return 0;
-    return std::visit([](const auto& method) -> std::uint32_t {
-        if constexpr (requires { method.rsm_size; }) return method.rsm_size;
-        return 0;
-    }, settings->method);
+    return settings != nullptr ? map_size(*settings) : 0;
 }
 
 /// All settings of a candidate's method, defaults included.
@@ -153,7 +149,7 @@ class ViewBench {
             row.one = image_errors(drawn.irradiance, truths_.one.irradiance, truths_.mask);
             row.full = image_errors(drawn.irradiance, truths_.full.irradiance, truths_.mask);
             row.flip = flip(drawn.picture, truths_.picture, truths_.mask).mean;
-            const std::uint32_t size = map_size(scene_, candidate);
+            const std::uint32_t size = candidate_map_size(scene_, candidate);
             if (size > 0 && candidate.method != "rsm_exact") row.sampling = image_errors(drawn.irradiance, exact_sum(renderer, size), truths_.mask);
             auto& [error, strip] = best.try_emplace(candidate.method, std::numeric_limits<double>::infinity(), BenchStrip{}).first->second;
             if (row.full.nrmse < error) {

@@ -74,9 +74,9 @@ double sampling_error(const SceneChoice& choice, uvec2 size, std::uint32_t rsm_s
 
 /// The map size of a method in rsm_exact's units. Throws Error for the others.
 std::uint32_t comparable_map_size(const GiSettings& settings) {
-    if (const auto* disc = std::get_if<RsmDisc>(&settings.method)) return disc->rsm_size;
-    if (const auto* exact = std::get_if<RsmExact>(&settings.method)) return exact->rsm_size;
-    fail("--error compares with rsm_exact, and {} is not in its units", gi_method_name(settings.method));
+    if (const auto* disc = settings.method.get_if<RsmDisc>()) return disc->rsm_size;
+    if (const auto* exact = settings.method.get_if<RsmExact>()) return exact->rsm_size;
+    fail("--error compares with rsm_exact, and {} is not in its units", settings.method.name());
 }
 
 int run_onoff(const GlobalFlags& global, const BenchFlags& flags) {
@@ -88,7 +88,7 @@ int run_onoff(const GlobalFlags& global, const BenchFlags& flags) {
         BenchSide off(open_scene({.scene = scene, .gi = "off"}));
         BenchSide on(open_scene({.scene = scene, .gi = flags.gi, .sets = flags.sets}));
         const auto* settings = on.app.world.find<GiSettings>(active_camera(on.app.world));
-        const std::string method(settings != nullptr ? gi_method_name(settings->method) : "off");
+        const std::string method(settings != nullptr ? settings->method.name() : "off");
         if (flags.error) (void)comparable_map_size(settings != nullptr ? *settings : GiSettings{GiOff{}});
         Progress progress(fmt::format("{}, {}", scene, method));
         for (std::uint32_t warm_up = 0; warm_up < 2; ++warm_up) {

@@ -59,7 +59,7 @@ App open_hills(std::uint64_t blocks) {
 
 /// Whether a method takes its light from maps of the lights: then point lights give it none.
 bool reflects_maps(const std::string& gi) {
-    return std::visit([](const auto& method) { return requires { method.rsm_size; }; }, make_gi_method(gi.substr(0, gi.find(':'))));
+    return map_size(GiSettings{make_gi_method(gi.substr(0, gi.find(':')))}) > 0;
 }
 
 /// Lamps over the ground round the camera: spots and points in turn, or only spots.

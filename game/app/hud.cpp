@@ -75,7 +75,7 @@ std::string method_text(World& world) {
     const Entity camera = active_camera(world);
     const auto* gi = camera ? world.find<GiSettings>(camera) : nullptr;
     if (gi == nullptr) return "none";
-    std::string text(gi_method_name(gi->method));
+    std::string text(gi->method.name());
     for (const FieldRow& row : list_fields(*gi)) {
         if (row.name == "preset") text += ": " + row.value;
     }

@@ -20,7 +20,7 @@ void list_scenes() {
 void list_methods() {
     const std::vector<GiPreset> presets = gi_presets();
     for (const std::string_view name : gi_method_names()) {
-        fmt::print("{:<24}{}\n", name, gi_method_claims(make_gi_method(name)));
+        fmt::print("{:<24}{}\n", name, make_gi_method(name).claims());
         for (const FieldRow& row : list_fields(GiSettings{make_gi_method(name)})) {
             if (row.name == "preset") fmt::print("  {:<22}{}\n", fmt::format("{}:PRESET", name), row.range);
         }

@@ -102,7 +102,7 @@ class Play {
     /// shader it is tried again.
     struct Failure {
         std::string text;
-        std::size_t method = 0;
+        std::string_view method;
         std::filesystem::file_time_type shaders{};
     };
     std::optional<Failure> failure_;

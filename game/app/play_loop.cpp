@@ -38,8 +38,8 @@ std::filesystem::file_time_type newest_change(const std::filesystem::path& folde
     return newest;
 }
 
-std::size_t method_index(const RenderScene& scene) {
-    return scene.gi ? scene.gi->method.index() : 0;
+std::string_view method_name(const RenderScene& scene) {
+    return scene.gi ? scene.gi->method.name() : GiOff::name;
 }
 
 }  // namespace
@@ -169,7 +169,7 @@ void Play::render(uvec2 window_size) {
     } catch (const Error& error) {
         // A shader that was never good. What the frame left half done goes with the renderer.
         log::error("{}", error.what());
-        failure_ = Failure{error.what(), method_index(scene_), newest_change(shader_folder())};
+        failure_ = Failure{error.what(), method_name(scene_), newest_change(shader_folder())};
         result_ = {};
         renderer_.emplace(shader_folder());
     }
@@ -177,7 +177,7 @@ void Play::render(uvec2 window_size) {
 
 bool Play::worth_trying_again() {
     extract(app_.world, scene_);
-    return method_index(scene_) != failure_->method || newest_change(shader_folder()) != failure_->shaders;
+    return method_name(scene_) != failure_->method || newest_change(shader_folder()) != failure_->shaders;
 }
 
 void Play::reload_shaders() {

@@ -50,6 +50,7 @@ SHARED_FN float power_of_two(float exponent) { return uintBitsToFloat(uint(int(e
 
 /// Level and side of the cell whose name has this upper half.
 SHARED_FN int facet_name_level(uint high) { return int((high >> 19) & 0x7fu) - 64; }
+/// Which way its surface faces: see facet_side.
 SHARED_FN uint facet_name_side(uint high) { return (high >> 16) & 7u; }
 
 /// The facet of a point whose lattice coordinates are known, on a surface that faces to a side.
@@ -74,6 +75,7 @@ SHARED_FN uint facet_side(vec3 normal) {
     return 2u * axis + (facet_axes(normal, axis).z < 0.0f ? 1u : 0u);
 }
 
+/// The facet of a point of a surface.
 SHARED_FN FacetCell facet_cell(vec3 position, vec3 normal, float level) {
     uint side = facet_side(normal);
     return facet_cell_along(facet_axes(position, side >> 1), side, level);
@@ -95,6 +97,7 @@ SHARED_FN uint facet_word(vec3 light) {
     return uint(steps.x) | (uint(steps.y) << 9) | (uint(steps.z) << 18) | (exponent << 27);
 }
 
+/// The light that a word holds: the inverse of facet_word.
 SHARED_FN vec3 facet_light(uint word) {
     float unit = uintBitsToFloat(((word >> 27) + 103u) << 23);
     return vec3(float(word & 511u), float((word >> 9) & 511u), float((word >> 18) & 511u)) * unit;

@@ -42,6 +42,7 @@ struct Incident {
     vec4 irradiance;  ///< rgb: lux on a surface facing the light
 };
 
+/// Light at a point, as if nothing stood in its way.
 SHARED_FN Incident incident_light(LightParams light, vec3 position) {
     Incident result;
     if (light.kind.x == light_directional) {

@@ -21,6 +21,7 @@ SHARED_FN vec2 octahedral_encode(vec3 v) {
     return (vec2(1.0f) - vec2(abs(upper.y), abs(upper.x))) * signs;
 }
 
+/// The inverse: a unit vector of a point in [-1, 1]².
 SHARED_FN vec3 octahedral_decode(vec2 p) {
     vec3 v = vec3(p.x, p.y, 1.0f - abs(p.x) - abs(p.y));
     float below = max(-v.z, 0.0f);

@@ -23,6 +23,7 @@ SHARED_FN vec2 picture_place(PictureParams params, vec2 uv) {
     return vec2(params.axes.x, params.axes.y) * uv.x + vec2(params.axes.z, params.axes.w) * uv.y + vec2(params.place.x, params.place.y);
 }
 
+/// A coordinate brought into the picture by repeating, mirroring or stopping at the middle of its last texel.
 SHARED_FN float picture_wrapped(float at, float wrap, float half_texel) {
     if (wrap == picture_mirror) {
         float turn = at - 2.0f * floor(at * 0.5f);
@@ -31,6 +32,7 @@ SHARED_FN float picture_wrapped(float at, float wrap, float half_texel) {
     return wrap == picture_repeat ? at : clamp(at, half_texel, 1.0f - half_texel);
 }
 
+/// The same of both coordinates of a material's pictures.
 SHARED_FN vec2 picture_inside(PictureParams params, vec2 place) {
     return vec2(picture_wrapped(place.x, params.place.z, params.alpha.z), picture_wrapped(place.y, params.place.w, params.alpha.z));
 }

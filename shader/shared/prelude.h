@@ -9,6 +9,7 @@
 #define SHARED_END }
 #define SHARED_FN inline
 SHARED_BEGIN
+/// As GLSL calls it.
 using uint = std::uint32_t;
 using glm::abs;
 using glm::atan;

@@ -12,6 +12,7 @@ SHARED_FN float pack_texel_normal(vec3 normal) {
     return steps.x * 4096.0f + steps.y;
 }
 
+/// The inverse, of length 1.
 SHARED_FN vec3 unpack_texel_normal(float packed_normal) {
     float x = floor(packed_normal / 4096.0f);
     return octahedral_decode(vec2(x, packed_normal - x * 4096.0f) / 4094.0f * 2.0f - 1.0f);

@@ -14,6 +14,7 @@ SHARED_FN vec3 filmic(vec3 exposed) {
     return clamp((x * (2.51f * x + 0.03f)) / (x * (2.43f * x + 0.59f) + 0.14f), vec3(0.0f), vec3(1.0f));
 }
 
+/// The same of one channel.
 SHARED_FN float srgb_encode_channel(float linear) {
     return linear <= 0.0031308f ? 12.92f * linear : 1.055f * pow(linear, 1.0f / 2.4f) - 0.055f;
 }

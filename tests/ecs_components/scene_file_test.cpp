@@ -27,7 +27,7 @@ TEST_F(SceneFile, ReadsEntitiesComponentsAndParents) {
     EXPECT_EQ(world.get<Transform>(named("lamp")).translation.x, 1000000.125);
     EXPECT_EQ(world.get<SpotLight>(named("lamp")).outer_cone, 0.5f);
     EXPECT_EQ(world.get<SpotLight>(named("lamp")).intensity, SpotLight().intensity);
-    EXPECT_EQ(std::get<RsmGrid>(world.get<GiSettings>(named("view")).method).step, 2u);
+    EXPECT_EQ(world.get<GiSettings>(named("view")).method.get<RsmGrid>().step, 2u);
     EXPECT_EQ(world.resource<SceneInfo>().description, "Two lamps");
     EXPECT_EQ(world.resource<SceneInfo>().path, folder / "s.json");
 }
@@ -174,7 +174,7 @@ TEST_F(SceneFile, IncludedEntitiesAreMergedByName) {
     EXPECT_FALSE(world.has<DirectionalLight>(named("sun")));
     EXPECT_FALSE(named("tree"));
     EXPECT_FALSE(world.has<Parent>(named("view")));
-    EXPECT_EQ(gi_method_name(world.get<GiSettings>(named("view")).method), "rsm_disc");
+    EXPECT_EQ(world.get<GiSettings>(named("view")).method.name(), "rsm_disc");
     EXPECT_EQ(world.resource<SceneInfo>().description, "");
 }
 

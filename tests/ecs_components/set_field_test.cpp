@@ -39,12 +39,12 @@ TEST_F(SetField, MethodThenItsFields) {
     set("gi.method=rsm_grid");
     set("gi.strength=0.6");
     set("gi.angle_threshold=0.05");
-    EXPECT_EQ(std::get<RsmGrid>(gi().method).strength, 0.6f);
+    EXPECT_EQ(gi().method.get<RsmGrid>().strength, 0.6f);
     set("gi.preset=paper");
-    EXPECT_EQ(std::get<RsmGrid>(gi().method).strength, 0.3f);
-    EXPECT_EQ(std::get<RsmGrid>(gi().method).angle_threshold, 0.01f);
+    EXPECT_EQ(gi().method.get<RsmGrid>().strength, 0.3f);
+    EXPECT_EQ(gi().method.get<RsmGrid>().angle_threshold, 0.01f);
     set("gi.method=off");
-    EXPECT_EQ(gi_method_name(gi().method), "off");
+    EXPECT_EQ(gi().method.name(), "off");
 }
 
 TEST_F(SetField, ErrorsSayWhatToWrite) {

@@ -29,7 +29,7 @@ std::vector<std::string> scenes() {
 Capture small_capture(Renderer& renderer, const std::string& scene, const std::string& method) {
     App app = open_scene({.scene = scene, .gi = method});
     for (auto [entity, gi] : Query<GiSettings>(app.world)) {
-        if (auto* exact = std::get_if<RsmExact>(&gi.method)) exact->rsm_size = 32;
+        if (auto* exact = gi.method.get_if<RsmExact>()) exact->rsm_size = 32;
     }
     return capture(app, renderer, {.width = 80, .height = 45, .frame = 1, .layers = true});
 }
@@ -97,7 +97,7 @@ TEST(EveryFrame, SmallAndOddSizes) {
         for (const uvec2 size : {uvec2(1, 1), uvec2(1, 33), uvec2(7680, 1), uvec2(17, 13)}) {
             App app = open_scene({.scene = "cornell", .gi = std::string(method)});
             for (auto [entity, gi] : Query<GiSettings>(app.world)) {
-                if (auto* exact = std::get_if<RsmExact>(&gi.method)) exact->rsm_size = 16;
+                if (auto* exact = gi.method.get_if<RsmExact>()) exact->rsm_size = 16;
             }
             const Capture captured = capture(app, session.renderer, {.width = size.x, .height = size.y, .layers = true});
             expect_light_is_sane(captured, fmt::format("{} at {}x{}", method, size.x, size.y));

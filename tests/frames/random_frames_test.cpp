@@ -36,13 +36,13 @@ int frame_count() {
 
 /// Keeps a frame's work small; the settings themselves stay random. A few frames of a few pixels are not bounded.
 void bound_cost(GiMethod& method) {
-    if (auto* exact = std::get_if<RsmExact>(&method)) exact->rsm_size = std::min(exact->rsm_size, 64u);
-    if (auto* grid = std::get_if<RsmGrid>(&method)) grid->rsm_size = std::min(grid->rsm_size, 64u);
-    if (auto* disc = std::get_if<RsmDisc>(&method)) {
+    if (auto* exact = method.get_if<RsmExact>()) exact->rsm_size = std::min(exact->rsm_size, 64u);
+    if (auto* grid = method.get_if<RsmGrid>()) grid->rsm_size = std::min(grid->rsm_size, 64u);
+    if (auto* disc = method.get_if<RsmDisc>()) {
         disc->rsm_size = std::min(disc->rsm_size, 256u);
         disc->samples = std::min(disc->samples, 512u);
     }
-    if (auto* facets = std::get_if<Facets>(&method)) {
+    if (auto* facets = method.get_if<Facets>()) {
         facets->spacing = std::max(facets->spacing, 4.0f);
         facets->noise = std::max(facets->noise, 0.2f);
     }

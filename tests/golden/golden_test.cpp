@@ -34,7 +34,7 @@ TEST_P(Golden, LooksAsBefore) {
         Renderer renderer(shader_folder());
         App app = open_scene({.scene = shot.scene, .gi = shot.gi});
         for (auto [entity, gi] : Query<GiSettings>(app.world)) {
-            if (auto* exact = std::get_if<RsmExact>(&gi.method)) exact->rsm_size = 96;
+            if (auto* exact = gi.method.get_if<RsmExact>()) exact->rsm_size = 96;
         }
         picture = capture(app, renderer, {.width = 160, .height = 90, .show = shot.show}).picture;
     }

@@ -95,10 +95,10 @@ TEST_P(HardCases, OddFrames) {
     plain_scene(builder);
     LightMethod quick = method();
     quick.samples = 4;
-    if (auto* exact = quick.traced() ? nullptr : std::get_if<RsmExact>(&*quick.gi)) exact->rsm_size = 16;
-    if (auto* grid = quick.traced() ? nullptr : std::get_if<RsmGrid>(&*quick.gi)) grid->rsm_size = 16;
-    if (auto* disc = quick.traced() ? nullptr : std::get_if<RsmDisc>(&*quick.gi)) disc->samples = 64;
-    if (auto* facets = quick.facets() ? std::get_if<Facets>(&*quick.gi) : nullptr) facets->noise = 0.3f;
+    if (auto* exact = quick.traced() ? nullptr : quick.gi->get_if<RsmExact>()) exact->rsm_size = 16;
+    if (auto* grid = quick.traced() ? nullptr : quick.gi->get_if<RsmGrid>()) grid->rsm_size = 16;
+    if (auto* disc = quick.traced() ? nullptr : quick.gi->get_if<RsmDisc>()) disc->samples = 64;
+    if (auto* facets = quick.facets() ? quick.gi->get_if<Facets>() : nullptr) facets->noise = 0.3f;
     std::map<std::pair<std::uint32_t, std::uint32_t>, Picture> seen;
     for (const uvec2 size : {uvec2(1, 1), uvec2(7680, 1), uvec2(1, 300), uvec2(13, 7), uvec2(1, 1), uvec2(13, 7)}) {
         const Picture picture = draw(builder, size, quick);
@@ -158,7 +158,7 @@ std::vector<double> profile(SceneBuilder& builder, HardCases& test, const LightM
 TEST_P(HardCases, ThePapersArtefact) {
     if (method().traced()) return;  // its noise is larger than a step
     LightMethod paper = method();
-    if (is("rsm_grid")) std::get<RsmGrid>(*paper.gi) = {.rsm_size = 128, .strength = 0.6f, .angle_threshold = 0.05f};
+    if (is("rsm_grid")) paper.gi->get<RsmGrid>() = {.rsm_size = 128, .strength = 0.6f, .angle_threshold = 0.05f};
     SceneBuilder builder;
     const std::vector<double> light = profile(builder, *this, paper);
     double largest = 0.0, peak = 0.0;

@@ -14,8 +14,8 @@ static const ResultTable& registered = hard_case_table();
 std::vector<LightMethod> careful_methods() {
     std::vector<LightMethod> methods = small_methods(128);
     for (LightMethod& method : methods) {
-        if (auto* disc = method.traced() ? nullptr : std::get_if<RsmDisc>(&*method.gi)) disc->samples = 4096;
-        if (auto* facets = method.facets() ? std::get_if<Facets>(&*method.gi) : nullptr) facets->noise = 0.03f;
+        if (auto* disc = method.traced() ? nullptr : method.gi->get_if<RsmDisc>()) disc->samples = 4096;
+        if (auto* facets = method.facets() ? method.gi->get_if<Facets>() : nullptr) facets->noise = 0.03f;
         method.samples = 512;
     }
     return methods;

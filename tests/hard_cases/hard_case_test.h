@@ -60,13 +60,13 @@ class HardCases : public GlTest, public testing::WithParamInterface<LightMethod>
     /// Where no value is known, facets need not be precise and slow.
     LightMethod rough() const {
         LightMethod result = method();
-        if (auto* facets = result.facets() ? std::get_if<Facets>(&*result.gi) : nullptr) facets->noise = 0.15f;
+        if (auto* facets = result.facets() ? result.gi->get_if<Facets>() : nullptr) facets->noise = 0.15f;
         return result;
     }
     /// Where the truth is that of one reflection: facets know all of them.
     LightMethod one_bounce() const {
         LightMethod result = method();
-        if (auto* facets = result.facets() ? std::get_if<Facets>(&*result.gi) : nullptr) facets->bounces = 1;
+        if (auto* facets = result.facets() ? result.gi->get_if<Facets>() : nullptr) facets->bounces = 1;
         return result;
     }
     void expect_value(const std::string& name, double measured, double truth, const Bounds& most) {

@@ -137,7 +137,7 @@ TEST_P(HardCases, SunBesideACandle) {
         builder.look(vec3(0, 0.5f, 0.3f), vec3(0, -1, 0), vec3(0, 0, -1), 1e-4f);
         LightMethod with = one_bounce();
         // Two lights share the samples.
-        if (auto* disc = is("rsm_disc") ? std::get_if<RsmDisc>(&*with.gi) : nullptr) disc->samples = sun_lux > 0.0f ? 4096 : 2048;
+        if (auto* disc = is("rsm_disc") ? with.gi->get_if<RsmDisc>() : nullptr) disc->samples = sun_lux > 0.0f ? 4096 : 2048;
         return draw(builder, {8, 8}, with).mean_brightness();
     };
     const double alone = candle_light(0.0f);

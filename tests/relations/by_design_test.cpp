@@ -65,7 +65,7 @@ TEST_P(GridByDesign, ATurnThatFitsTheMapAnewChangesBrightness) {
 
 TEST_P(DiscByDesign, ASmallDiscLosesWhatLiesOutside) {
     LightMethod small = finer(64), wide = finer(64);
-    std::get<RsmDisc>(*small.gi).radius = 0.3f;
+    small.gi->get<RsmDisc>().radius = 0.3f;
     const double change = deviation(draw(plan, {}, small), draw(plan, {}, wide)).mean;
     relation_table().say("mean brightness: `radius` 1.5 → 0.3", method().name, "fails by design: " + percent(change));
     EXPECT_LT(change, -0.1);

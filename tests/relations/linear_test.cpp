@@ -35,7 +35,7 @@ TEST_P(Relations, TwoLightsGiveTheSumOfEach) {
         // that it gets beside the other.
         const auto alone = [&](const ScenePlan::Lamp& lamp) {
             LightMethod result = method();
-            auto* disc = std::get_if<RsmDisc>(&*result.gi);
+            auto* disc = result.gi->get_if<RsmDisc>();
             if (disc == nullptr) return result;
             SceneBuilder builder;
             build(plan, {}, builder);

@@ -80,7 +80,7 @@ TEST_P(Relations, MirrorsAndTurnsChangeNoBrightnessOnAverage) {
     if (!is("rsm_disc")) return;
     constexpr int scenes_each = 5;
     LightMethod turned_samples = finer(64);
-    std::get<RsmDisc>(*turned_samples.gi).rotate = true;
+    turned_samples.gi->get<RsmDisc>().rotate = true;
     std::vector<double> mirrored, turned;
     for_plans([&](const ScenePlan& first) {
         for (int i = 0; i < scenes_each; ++i) {

@@ -11,8 +11,8 @@ namespace {
 /// The method with another setting; null where it has no such setting.
 template <class Settings, class Change>
 std::optional<LightMethod> with(LightMethod method, Change&& change) {
-    if (method.traced() || !std::holds_alternative<Settings>(*method.gi)) return std::nullopt;
-    change(std::get<Settings>(*method.gi));
+    if (method.traced() || !method.gi->is<Settings>()) return std::nullopt;
+    change(method.gi->get<Settings>());
     return method;
 }
 

@@ -135,15 +135,15 @@ TracedMean Relations::trace(const ScenePlan& plan, const SceneChange& change, st
 
 LightMethod Relations::quick() const {
     LightMethod result = method();
-    if (auto* facets = result.facets() ? std::get_if<Facets>(&*result.gi) : nullptr) facets->noise = 0.3f;
+    if (auto* facets = result.facets() ? result.gi->get_if<Facets>() : nullptr) facets->noise = 0.3f;
     return result;
 }
 
 LightMethod Relations::finer(std::uint32_t rsm_size) const {
     LightMethod result = method();
-    if (auto* exact = result.traced() ? nullptr : std::get_if<RsmExact>(&*result.gi)) exact->rsm_size = rsm_size;
-    if (auto* disc = result.traced() ? nullptr : std::get_if<RsmDisc>(&*result.gi)) *disc = RsmDisc{.rsm_size = rsm_size, .samples = 4096, .radius = 1.5f, .interpolate = false};
-    if (auto* facets = result.facets() ? std::get_if<Facets>(&*result.gi) : nullptr) facets->spacing = 4.0f;
+    if (auto* exact = result.traced() ? nullptr : result.gi->get_if<RsmExact>()) exact->rsm_size = rsm_size;
+    if (auto* disc = result.traced() ? nullptr : result.gi->get_if<RsmDisc>()) *disc = RsmDisc{.rsm_size = rsm_size, .samples = 4096, .radius = 1.5f, .interpolate = false};
+    if (auto* facets = result.facets() ? result.gi->get_if<Facets>() : nullptr) facets->spacing = 4.0f;
     return result;
 }
 

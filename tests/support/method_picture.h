@@ -19,7 +19,7 @@ struct LightMethod {
 
     bool traced() const { return !gi.has_value(); }
     /// Its light has a noise of its own, and what earlier frames have left is used.
-    bool facets() const { return gi && std::holds_alternative<Facets>(*gi); }
+    bool facets() const { return gi && gi->is<Facets>(); }
 };
 
 /// What GoogleTest shows of a parameter.

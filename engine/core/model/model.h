@@ -53,6 +53,7 @@ struct ModelMaterial {
 struct ModelMorph {
     std::vector<vec3> positions, normals;  ///< added, weighted; empty or one per vertex
 };
+/// Which joints of its skin move a vertex, and how much of each; the weights add up to 1.
 struct ModelJoints {
     std::array<std::uint16_t, 4> joints{};
     vec4 weights{0.0f};
@@ -65,6 +66,7 @@ struct ModelPrimitive {
     std::vector<ModelMorph> morphs;
     std::vector<ModelJoints> joints;   ///< one per vertex where a skin may move it
 };
+/// What a node shows.
 struct ModelMesh {
     std::string name;
     std::vector<ModelPrimitive> primitives;
@@ -82,12 +84,14 @@ struct ModelLight {
     float inner_cone = 0.0f, outer_cone = 0.7854f;
 };
 
+/// A perspective view along -z of its node.
 struct ModelCamera {
     std::string name;
     float fov_y = 1.0f;  ///< rad
     float near = 0.01f;  ///< m
 };
 
+/// A place in its parent, or in the model, and what is there.
 struct ModelNode {
     std::string name;
     std::int32_t parent = -1;  ///< a node before it, or none
@@ -115,6 +119,7 @@ struct ModelChannel {
     std::vector<float> values;  ///< `width` for each time; of cubic ones three times as many: slope in, value, slope out
     std::size_t width = 3;
 };
+/// Channels that run together, from 0 to `length`.
 struct ModelAnimation {
     std::string name;
     std::vector<ModelChannel> channels;

@@ -7,6 +7,7 @@ namespace sl {
 
 /// Where a model's nodes are, each in its parent, and how far its morphs have gone.
 struct ModelPose {
+    /// Relative to its parent.
     struct Node {
         dvec3 translation{0.0};
         quat rotation{1, 0, 0, 0};

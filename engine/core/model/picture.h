@@ -23,6 +23,7 @@ uvec2 picture_size(const ModelImage& image);
 /// Throws like picture_size, and where the picture ends too soon.
 Picture decode_picture(const ModelImage& image);
 
+/// What its numbers mean.
 enum class PictureKind {
     colour,  ///< sRGB, averaged as light
     data     ///< averaged as it is

@@ -1,41 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "engine/ecs/components/gi_settings.h"
 
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <utility>
-
-#include "engine/core/error.h"
 
 namespace sl {
 
 namespace {
 
-template <std::size_t... I>
-constexpr auto names_of(std::index_sequence<I...>) {
-    return std::array{std::variant_alternative_t<I, GiMethod>::name...};
-}
-constexpr auto method_names = names_of(std::make_index_sequence<std::variant_size_v<GiMethod>>());
-
-template <std::size_t... I>
-GiMethod default_method(std::size_t index, std::index_sequence<I...>) {
-    GiMethod method;
-    ((index == I ? void(method.emplace<I>()) : void()), ...);
-    return method;
-}
-GiMethod default_method(std::size_t index) {
-    return default_method(index, std::make_index_sequence<std::variant_size_v<GiMethod>>());
-}
-
 constexpr FieldInfo rsm_size_info{.min = 4, .max = 1024, .unit = "texels",
                                   .help = "Side of each light's reflective shadow map; more texels resolve smaller lit patches and "
                                           "cost in proportion to their number."};
 constexpr FieldInfo strength_info{.min = 0, .max = 10, .help = "Factor on indirect light; 1 is physical."};
-
-void visit_fields(FieldVisitor&, GiOff&) {}
 
 struct FacetPreset {
     float spacing, noise;
@@ -62,6 +38,29 @@ float facet_quality(const Facets& facets) {
     return (static_cast<float>(finer - facet_presets.begin() - 1) + part) / facet_intervals;
 }
 
+struct GridPreset {
+    std::string_view name;
+    float strength, angle_threshold;
+};
+// The paper's two parameter sets: its pictures, and its figure 3-3 that shows the dividing lines.
+constexpr std::array<GridPreset, 2> grid_presets{{{"paper", 0.3f, 0.01f}, {"paper-artefact", 0.6f, 0.05f}}};
+constexpr std::array<std::string_view, 3> grid_preset_names{"custom", grid_presets[0].name, grid_presets[1].name};
+
+std::size_t preset_of(const RsmGrid& grid) {
+    for (std::size_t i = 0; i < grid_presets.size(); ++i) {
+        const RsmGrid preset{.strength = grid_presets[i].strength, .angle_threshold = grid_presets[i].angle_threshold};
+        if (grid.strength == preset.strength && grid.angle_threshold == preset.angle_threshold &&
+            grid.distance_attenuation == preset.distance_attenuation && grid.cutoff == preset.cutoff) {
+            return i + 1;
+        }
+    }
+    return 0;
+}
+
+}  // namespace
+
+void visit_fields(FieldVisitor&, GiOff&) {}
+
 void visit_fields(FieldVisitor& visit, Facets& facets) {
     // No state of its own: it is read off the facets' side, and choosing another one sets that and the noise.
     const float before = facet_quality(facets);
@@ -81,25 +80,6 @@ void visit_fields(FieldVisitor& visit, Facets& facets) {
 void visit_fields(FieldVisitor& visit, RsmExact& exact) {
     visit.field("rsm_size", exact.rsm_size, rsm_size_info);
     visit.field("strength", exact.strength, strength_info);
-}
-
-struct GridPreset {
-    std::string_view name;
-    float strength, angle_threshold;
-};
-// The paper's two parameter sets: its pictures, and its figure 3-3 that shows the dividing lines.
-constexpr std::array<GridPreset, 2> grid_presets{{{"paper", 0.3f, 0.01f}, {"paper-artefact", 0.6f, 0.05f}}};
-constexpr std::array<std::string_view, 3> grid_preset_names{"custom", grid_presets[0].name, grid_presets[1].name};
-
-std::size_t preset_of(const RsmGrid& grid) {
-    for (std::size_t i = 0; i < grid_presets.size(); ++i) {
-        const RsmGrid preset{.strength = grid_presets[i].strength, .angle_threshold = grid_presets[i].angle_threshold};
-        if (grid.strength == preset.strength && grid.angle_threshold == preset.angle_threshold &&
-            grid.distance_attenuation == preset.distance_attenuation && grid.cutoff == preset.cutoff) {
-            return i + 1;
-        }
-    }
-    return 0;
 }
 
 void visit_fields(FieldVisitor& visit, RsmGrid& grid) {
@@ -142,28 +122,13 @@ void visit_fields(FieldVisitor& visit, RsmDisc& disc) {
     visit.field("strength", disc.strength, strength_info);
 }
 
-}  // namespace
-
-std::span<const std::string_view> gi_method_names() { return method_names; }
-
-GiMethod make_gi_method(std::string_view name) {
-    for (std::size_t i = 0; i < method_names.size(); ++i) {
-        if (method_names[i] == name) return default_method(i);
-    }
-    fail("there is no GI method '{}'; choose one of {}", name, fmt::join(method_names, ", "));
-}
-
-std::string_view gi_method_name(const GiMethod& method) { return method_names[method.index()]; }
-
-std::string_view gi_method_claims(const GiMethod& method) {
-    return std::visit([](const auto& settings) { return settings.claims; }, method);
-}
-
 void visit_fields(FieldVisitor& visit, GiSettings& settings) {
-    std::size_t index = settings.method.index();
-    visit.choice("method", index, method_names, {.help = "How indirect light is computed; see `secondlight list methods`."});
-    if (index != settings.method.index()) settings.method = default_method(index);
-    std::visit([&](auto& method) { visit_fields(visit, method); }, settings.method);
+    const std::size_t before = gi_method_index(settings.method);
+    std::size_t index = before;
+    const std::span<const std::string_view> names = gi_method_names();
+    visit.choice("method", index, names, {.help = "How indirect light is computed; see `secondlight list methods`."});
+    if (index != before) settings.method = make_gi_method(names[index]);
+    settings.method.type().visit(visit, settings.method);
 }
 
 }  // namespace sl

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <array>
-#include <variant>
+#include <tuple>
 
-#include "engine/core/fields.h"
+#include "engine/ecs/components/gi_method.h"
 
 namespace sl {
 
@@ -61,20 +61,20 @@ struct Facets {
     float strength = 1.0f;
 };
 
-/// Adding a method: its settings struct above, one word here, gi/<name>.cpp and its shader.
-using GiMethod = std::variant<GiOff, RsmExact, RsmGrid, RsmDisc, Facets>;
+void visit_fields(FieldVisitor& visit, GiOff& off);
+void visit_fields(FieldVisitor& visit, RsmExact& exact);
+void visit_fields(FieldVisitor& visit, RsmGrid& grid);
+void visit_fields(FieldVisitor& visit, RsmDisc& disc);
+void visit_fields(FieldVisitor& visit, Facets& facets);
+
+/// The engine's own methods. A new one: its settings struct and visit_fields above, one word here, gi/NAME.cpp and its shader.
+/// A method of a program that uses the engine is added by add_gi_method instead (engine/render/gi/gi.h).
+using EngineGiMethods = std::tuple<GiOff, RsmExact, RsmGrid, RsmDisc, Facets>;
 
 /// How the camera's picture gets its indirect light. Without this component there is none.
 struct GiSettings {
     GiMethod method = Facets{};
 };
-
-/// Names of all methods in the variant's order.
-std::span<const std::string_view> gi_method_names();
-/// The method of that name with its default settings. Throws Error naming the choices.
-GiMethod make_gi_method(std::string_view name);
-std::string_view gi_method_name(const GiMethod& method);
-std::string_view gi_method_claims(const GiMethod& method);
 
 void visit_fields(FieldVisitor& visit, GiSettings& settings);
 

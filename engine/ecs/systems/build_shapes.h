@@ -12,6 +12,7 @@ namespace sl {
 /// Which mesh was built from which shape, a resource. It outlives the entities, so that their meshes are
 /// erased.
 struct ShapeMeshes {
+    /// A mesh, and the shape it was made from.
     struct Built {
         Shape shape;
         MeshHandle mesh;

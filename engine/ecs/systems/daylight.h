@@ -14,6 +14,7 @@ struct SunTime {
     double hour;
     float declination;
 };
+/// The hour and the season at which the sun of a latitude (rad) stands there.
 SunTime time_of(const SunAngles& sun, float latitude);
 
 /// Light of a clear day, linear Rec. 709.

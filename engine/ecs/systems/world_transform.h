@@ -10,6 +10,7 @@ namespace sl {
 /// Where entities of a hierarchy stand, in double precision: what world_transform found out this frame. A
 /// resource, so that its memory is kept.
 struct Placements {
+    /// The place of one entity in the world, while it is worked out.
     struct Node {
         dvec3 origin{0.0};
         glm::dmat3 linear{1.0};

@@ -13,6 +13,7 @@ namespace sl {
 /// A cell of the lattice, as one number.
 using FacetName = std::uint64_t;
 
+/// The name of a cell, in one number.
 inline FacetName facet_name(const FacetCell& cell) { return (FacetName{cell.name.x} << 32) | cell.name.y; }
 
 /// Exponent of a cell's side.

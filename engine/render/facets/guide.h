@@ -11,6 +11,7 @@ namespace sl {
 /// Where most light comes from at places near each other, though it is too small to be met often by chance: balls in
 /// space. Each gets rays of its own, evenly in the cone that it fills, in proportion to what it brings.
 struct Guide {
+    /// A ball that rays are sent at.
     struct Target {
         vec3 place{0.0f};
         float radius = 0.0f;  ///< m

@@ -13,7 +13,7 @@ namespace sl {
 
 /// What a ray from a gather point has met.
 struct Link {
-    std::uint32_t patch;  ///< or Patches::sky, ::nothing
+    std::uint32_t patch;  ///< or Patches::sky, Patches::nothing
     float guided = 0.0f;    ///< density of guided rays over that of rays by chance, for equal numbers of both
     float distance = 0.0f;  ///< m; infinite to the sky
     std::uint32_t direction = 0;  ///< pack_normal

@@ -10,10 +10,12 @@ struct GLFWwindow;
 
 namespace sl::gl {
 
+/// Where a context comes from; see create_context.
 enum class ContextKind { automatic, window, egl, osmesa };
 
 /// "auto", "window", "egl", "osmesa". Throws Error naming the choices.
 ContextKind parse_context_kind(std::string_view text);
+/// The inverse.
 std::string_view context_kind_name(ContextKind kind);
 
 /// An OpenGL 4.5 core context, current on the thread that made it, with the loader filled and KHR_debug on

@@ -43,23 +43,32 @@ class Program {
     std::map<std::string, GLint> uniforms_, outputs_;
 };
 
-/// Expands #include "path" (relative to the shader folder), each file at most once, keeping track of lines so
-/// that errors name the real file and line. What stands under #ifdef __cplusplus is not expanded; other
+/// Where shaders are looked for, first to last. A program that brings its own adds their folder behind the engine's.
+using ShaderFolders = std::vector<std::filesystem::path>;
+/// The first folder's file of that name; empty where none has it.
+std::filesystem::path find_shader(const ShaderFolders& folders, const std::filesystem::path& file);
+
+/// Expands `#include "path"` (relative to a shader folder), each file at most once, keeping track of lines so
+/// that errors name the real file and line. What stands under `#ifdef __cplusplus` is not expanded; other
 /// conditions are not looked at. Pure text; no GL. Throws Error for a missing file, an include that leaves
-/// the folder or nests deeper than 32.
+/// its folder or nests deeper than 32.
 struct ShaderSource {
-    std::string text;                          ///< with #version, defines and #line directives
-    std::vector<std::filesystem::path> files;  ///< index = source string number in #line
+    std::string text;                          ///< with `#version`, defines and `#line` directives
+    std::vector<std::filesystem::path> files;  ///< index = source string number in `#line`
 };
-ShaderSource load_shader_source(const std::filesystem::path& folder, const std::string& file,
+/// The text of a shader with all that it includes; `defines` are names and values.
+ShaderSource load_shader_source(const ShaderFolders& folders, const std::string& file,
                                 const std::vector<std::pair<std::string, std::string>>& defines);
 /// Rewrites driver messages like "2(14): error" or "2:14(3): error" to "passes/rsm.frag:14: error".
 std::string name_files_in_log(const std::string& log, const ShaderSource& source);
 
-/// Compiles programs from the shader folder, once per description, and again when a file changes.
+/// Compiles programs from shader folders, once per description, and again when a file changes.
 class ProgramCache {
   public:
+    /// The folder in which shaders are looked for first.
     explicit ProgramCache(std::filesystem::path folder);
+    /// Looked through after those that are there.
+    void add_folder(std::filesystem::path folder) { folders_.push_back(std::move(folder)); }
 
     /// Throws Error with file:line when the first build fails.
     const Program& get(const ProgramDesc& desc);
@@ -67,14 +76,13 @@ class ProgramCache {
     /// true when a program was replaced or errors() changed; errors() tells what is broken now.
     bool reload_changed();
     const std::vector<std::string>& errors() const { return errors_; }
-    const std::filesystem::path& folder() const { return folder_; }
 
   private:
     struct Entry;
     using Times = std::map<std::filesystem::path, std::filesystem::file_time_type>;
     bool reload(const ProgramDesc& desc, Entry& entry, Times& times) const;
 
-    std::filesystem::path folder_;
+    ShaderFolders folders_;
     std::map<ProgramDesc, std::shared_ptr<Entry>> entries_;
     std::vector<std::string> errors_;
 };

@@ -22,10 +22,10 @@ struct Stage {
     ShaderSource source;
 };
 
-std::vector<Stage> load_stages(const fs::path& folder, const ProgramDesc& desc) {
+std::vector<Stage> load_stages(const ShaderFolders& folders, const ProgramDesc& desc) {
     std::vector<Stage> stages;
     const auto add = [&](GLenum kind, const std::string& file) {
-        if (!file.empty()) stages.push_back({kind, file, load_shader_source(folder, file, desc.defines)});
+        if (!file.empty()) stages.push_back({kind, file, load_shader_source(folders, file, desc.defines)});
     };
     add(GL_VERTEX_SHADER, desc.vertex);
     add(GL_FRAGMENT_SHADER, desc.fragment);
@@ -121,7 +121,7 @@ struct ProgramCache::Entry {
     std::string error;
     bool incomplete = false;  ///< a file could not be loaded, so `times` may lack the one that will mend it
 
-    void remember(const std::vector<Stage>& stages, const fs::path& folder, fs::file_time_type loaded) {
+    void remember(const std::vector<Stage>& stages, const ShaderFolders& folders, fs::file_time_type loaded) {
         text.clear();
         times.clear();
         // File systems count time in ticks: a file written just before it was read may change under the same
@@ -130,14 +130,14 @@ struct ProgramCache::Entry {
         for (const Stage& stage : stages) {
             text += stage.source.text;
             for (const fs::path& file : stage.source.files) {
-                const auto time = time_of(folder / file);
+                const auto time = time_of(find_shader(folders, file));
                 times[file] = time < trusted ? time : fs::file_time_type::max();
             }
         }
     }
 };
 
-ProgramCache::ProgramCache(fs::path folder) : folder_(std::move(folder)) {}
+ProgramCache::ProgramCache(fs::path folder) : folders_{std::move(folder)} {}
 
 const Program& ProgramCache::get(const ProgramDesc& desc) {
     const auto found = entries_.find(desc);
@@ -145,9 +145,9 @@ const Program& ProgramCache::get(const ProgramDesc& desc) {
     CHECK(desc.compute.empty() ? !desc.vertex.empty() : desc.vertex.empty() && desc.fragment.empty(),
           "a program is compute alone, or vertex and maybe fragment ({})", title(desc));
     const auto now = fs::file_time_type::clock::now();
-    const std::vector<Stage> stages = load_stages(folder_, desc);
+    const std::vector<Stage> stages = load_stages(folders_, desc);
     auto entry = std::make_shared<Entry>();
-    entry->remember(stages, folder_, now);
+    entry->remember(stages, folders_, now);
     entry->program = link(stages, title(desc));
     return *entries_.emplace(desc, std::move(entry)).first->second->program;
 }
@@ -155,7 +155,7 @@ const Program& ProgramCache::get(const ProgramDesc& desc) {
 bool ProgramCache::reload(const ProgramDesc& desc, Entry& entry, Times& times) const {
     const auto changed = [&](const auto& stamp) {
         const auto [now, fresh] = times.try_emplace(stamp.first);
-        if (fresh) now->second = time_of(folder_ / stamp.first);
+        if (fresh) now->second = time_of(find_shader(folders_, stamp.first));
         return now->second != stamp.second;
     };
     if (!entry.incomplete && std::none_of(entry.times.begin(), entry.times.end(), changed)) return false;
@@ -163,9 +163,9 @@ bool ProgramCache::reload(const ProgramDesc& desc, Entry& entry, Times& times) c
         entry.incomplete = true;
         const std::string text = std::exchange(entry.text, {});
         const auto now = fs::file_time_type::clock::now();
-        const std::vector<Stage> stages = load_stages(folder_, desc);
+        const std::vector<Stage> stages = load_stages(folders_, desc);
         entry.incomplete = false;
-        entry.remember(stages, folder_, now);
+        entry.remember(stages, folders_, now);
         if (text == entry.text) return false;
         entry.program = link(stages, title(desc));
         entry.error.clear();

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <charconv>
 #include <fstream>
@@ -82,31 +84,36 @@ class CppSections {
 
 class Expander {
   public:
-    Expander(const fs::path& folder, ShaderSource& out) : folder_(folder), out_(out) {
-        std::error_code failed;
-        root_ = fs::canonical(folder, failed);
-        if (failed) fail("the shader folder {} is not there", folder.string());
+    Expander(const ShaderFolders& folders, ShaderSource& out) : folders_(folders), out_(out) {
+        for (const fs::path& folder : folders) {
+            std::error_code failed;
+            roots_.push_back(fs::canonical(folder, failed));
+            if (failed) fail("the shader folder {} is not there", folder.string());
+        }
     }
 
-    /// The file's path inside the folder. `at` opens the message: where the file was asked for.
+    /// The file's path inside its folder. `at` opens the message: where the file was asked for.
     fs::path locate(const std::string& asked, const std::string& at) const {
         const fs::path inside = fs::path(asked).lexically_normal();
-        std::error_code missing, ignored;
-        const fs::path real = fs::canonical(root_ / inside, missing);
-        fs::path relative = missing ? fs::path() : real.lexically_relative(root_);
-        if (inside.is_absolute() || climbs(inside) || climbs(relative)) {
-            fail("{}\"{}\" leaves the shader folder", at, asked);
+        bool leaves = inside.is_absolute() || climbs(inside);
+        for (const fs::path& root : roots_) {
+            std::error_code missing, ignored;
+            const fs::path real = fs::canonical(root / inside, missing);
+            if (leaves || missing) continue;
+            fs::path relative = real.lexically_relative(root);
+            leaves = climbs(relative);
+            if (!leaves && fs::is_regular_file(real, ignored)) return relative;
         }
-        if (missing || !fs::is_regular_file(real, ignored)) {
-            fail("{}there is no \"{}\" in the shader folder {}", at, asked, folder_.string());
-        }
-        return relative;
+        if (leaves) fail("{}\"{}\" leaves the shader folder", at, asked);
+        std::vector<std::string> looked;
+        for (const fs::path& folder : folders_) looked.push_back(folder.string());
+        fail("{}there is no \"{}\" in the shader folder {}", at, asked, fmt::join(looked, " or "));
     }
 
     void expand(const fs::path& file, int depth) {
         const std::size_t index = out_.files.size();
         out_.files.push_back(file);
-        std::ifstream stream(root_ / file, std::ios::binary);
+        std::ifstream stream(find_shader(roots_, file), std::ios::binary);
         if (!stream) fail("{}: cannot be read", file.generic_string());
         out_.text += line_directive(index, 1);
         CppSections sections;
@@ -146,9 +153,9 @@ class Expander {
         expand(file, depth + 1);
     }
 
-    const fs::path& folder_;
+    const ShaderFolders& folders_;
     ShaderSource& out_;
-    fs::path root_;
+    ShaderFolders roots_;
 };
 
 /// A driver's message: "2:14(3): rest" from Mesa, "2(14) : rest" from NVIDIA.
@@ -183,12 +190,20 @@ std::optional<Message> parse_message(std::string_view text) {
 
 }  // namespace
 
-ShaderSource load_shader_source(const fs::path& folder, const std::string& file,
+fs::path find_shader(const ShaderFolders& folders, const fs::path& file) {
+    for (const fs::path& folder : folders) {
+        std::error_code ignored;
+        if (fs::exists(folder / file, ignored)) return folder / file;
+    }
+    return {};
+}
+
+ShaderSource load_shader_source(const ShaderFolders& folders, const std::string& file,
                                 const std::vector<std::pair<std::string, std::string>>& defines) {
     ShaderSource source;
     source.text = "#version 450 core\n";
     for (const auto& [name, value] : defines) source.text += fmt::format("#define {} {}\n", name, value);
-    Expander expander(folder, source);
+    Expander expander(folders, source);
     expander.expand(expander.locate(file, ""), 0);
     return source;
 }

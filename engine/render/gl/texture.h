@@ -19,6 +19,7 @@ struct FormatNames {
     GLenum layout;
     GLenum type;
 };
+/// What OpenGL calls a format.
 FormatNames format_names(Format format);
 
 /// Owns an immutable 2D texture or 2D array texture (desc.layers > 0). Nearest, clamped to edge by default.

@@ -16,8 +16,11 @@ class FrameGraph;
 /// Declares one pass. Each call both declares the edge and binds by the shader's own name.
 class PassBuilder {
   public:
+    /// The image that a sampler of the shader reads.
     PassBuilder& read(std::string_view sampler, ImageId image, Sampling sampling = Sampling::nearest);
+    /// The buffer behind a storage block that the shader reads.
     PassBuilder& storage(std::string_view block, BufferId buffer);
+    /// The buffer behind a storage block that the shader writes; the old handle is retired.
     [[nodiscard]] BufferId write_storage(std::string_view block, BufferId buffer);
 
     /// The bytes of one uniform block; `value` is a struct of shader/shared.
@@ -38,13 +41,18 @@ class PassBuilder {
     /// Image written by a compute shader through imageStore.
     [[nodiscard]] ImageId store(std::string_view name, ImageId image);
 
+    /// What a geometry pass draws, in this order.
     PassBuilder& draws(DrawList list);
+    /// Work groups of a compute pass.
     PassBuilder& dispatch(std::uint32_t x, std::uint32_t y = 1, std::uint32_t z = 1);
     /// As many work groups as hold `items` invocations, spread over two dimensions where one is too short for them; the
     /// shader counts with lib/linear_index.glsl, and leaves what is past the last item.
     PassBuilder& dispatch_items(std::uint32_t items, std::uint32_t group_size);
+    /// Outputs are added to what the targets hold.
     PassBuilder& blend_add();
+    /// Triangles are drawn from behind too.
     PassBuilder& two_sided();
+    /// Moves depths away from the eye by so much of their slope: what a map of depths is compared with does not shadow itself then.
     PassBuilder& depth_bias(float slope);
     /// Runs even when nobody in this frame reads what it writes.
     PassBuilder& keep();
@@ -68,21 +76,29 @@ struct Step {
 /// One frame's passes and images, as data. Built anew each frame; holds no GL.
 class FrameGraph {
   public:
+    /// `states` must outlive it, and is carried from frame to frame.
     explicit FrameGraph(PersistentStates& states) : states_(&states) {}
 
     /// Passes added from now on belong to this part of the frame; empty: to none.
     void group(std::string_view name) { group_ = name; }
+    /// A pass that shades every pixel of its targets once. Shaders are files, relative to a shader folder; they get `in vec2 ndc`.
     PassBuilder fullscreen(std::string_view name, std::string_view fragment);
+    /// A pass of a compute shader; say with dispatch how much of it runs.
     PassBuilder compute(std::string_view name, std::string_view shader);
+    /// A pass that draws meshes; say with draws which.
     PassBuilder geometry(std::string_view name, std::string_view vertex, std::string_view fragment);
 
     /// A transient image that nobody has written yet.
     ImageId create(std::string_view name, const TextureDesc& desc);
+    /// A transient buffer that nobody has written yet.
     BufferId create_buffer(std::string_view name, std::uint64_t bytes);
+    /// A GL texture of somebody else, who keeps it alive until the frame has run.
     ImageId import_image(std::string_view name, const TextureDesc& desc, std::uint32_t native);
+    /// The same of a GL buffer.
     BufferId import_buffer(std::string_view name, std::uint64_t bytes, std::uint32_t native);
     /// An image that survives frames under its name.
     ImageId persistent(std::string_view name, const TextureDesc& desc);
+    /// A buffer that survives frames under its name.
     BufferId persistent_buffer(std::string_view name, std::uint64_t bytes);
     /// Whether a layer of a persistent image (or a buffer: layer 0) must be drawn: its contents were not made from `key`. Remembers that they
     /// will be, once a pass that writes the layer has run.
@@ -94,6 +110,7 @@ class FrameGraph {
         ImageId previous, current;
         bool valid = false;
     };
+    /// What is written into `current` is `previous` in the next frame.
     History history(std::string_view name, const TextureDesc& desc);
     /// A 1×1 black image: what a shader reads where a scene has nothing to give.
     ImageId black();

@@ -12,6 +12,7 @@
 
 namespace sl {
 
+/// One triangle over the screen, work groups, or meshes.
 enum class PassKind { fullscreen, compute, draws };
 
 /// One mesh in a geometry pass. Buffers are GL names; draw_index selects the row of the draws' storage block.
@@ -22,11 +23,13 @@ struct DrawCall {
     std::uint32_t draw_index = 0;
     bool mirrored = false;  ///< its matrix turns counter-clockwise triangles clockwise
 };
+/// Shared: many passes draw the same.
 using DrawList = std::shared_ptr<const std::vector<DrawCall>>;
 
 /// What happens to a target's old contents when a pass starts.
 enum class Load { clear, keep, discard };
 
+/// An image, or a layer of one, that a pass draws into.
 struct Target {
     std::string output;  ///< the shader's own name; empty for depth
     ImageId image;       ///< the version made by this pass
@@ -35,23 +38,27 @@ struct Target {
     std::array<float, 4> clear{};
 };
 
+/// An image that a shader samples.
 struct ImageRead {
     std::string sampler;
     ImageId image;
     Sampling sampling = Sampling::nearest;
 };
 
+/// A buffer behind a storage block of a shader.
 struct StorageUse {
     std::string block;
     BufferId buffer;
     bool written = false;
 };
 
+/// An image that a compute shader writes texel by texel.
 struct ImageStore {
     std::string name;
     ImageId image;
 };
 
+/// What a uniform block of a shader holds.
 struct ParamBlock {
     std::string block;
     std::vector<std::byte> bytes;

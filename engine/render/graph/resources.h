@@ -22,6 +22,7 @@ struct ResourceId {
 struct ImageId : ResourceId {};
 struct BufferId : ResourceId {};
 
+/// How long an image or buffer is there.
 enum class Lifetime {
     transient,   ///< lives from its first write to its last read of this frame
     persistent,  ///< survives frames under its name, as long as its description stays
@@ -44,6 +45,7 @@ struct ResourceRecord {
 /// was last made from. Holds no GL.
 class PersistentStates {
   public:
+    /// What is known of one persistent image or buffer.
     struct State {
         TextureDesc image;
         std::uint64_t buffer_bytes = 0;
@@ -51,6 +53,7 @@ class PersistentStates {
         std::uint64_t last_frame = 0;
     };
 
+    /// Made anew where it is not known, or was of another size or format.
     State& find(const ResourceRecord& resource);
     /// Forgets all contents (after a lost or replaced executor).
     void clear() { states_.clear(); }

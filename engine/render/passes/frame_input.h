@@ -26,6 +26,7 @@ struct FrameInput {
     float seconds = 1.0f / 60.0f;  ///< since the last frame
     double time = 0.0;             ///< s; what moves by itself moves by it
 
+    /// An image of the size of the picture.
     TextureDesc screen(Format format) const { return {.width = width, .height = height, .format = format}; }
 };
 

@@ -14,6 +14,7 @@ struct GBuffer {
     ImageId depth;     ///< reversed: near / distance; 0 is the background
 };
 
+/// Draws what is in view, nearest first.
 GBuffer gbuffer(const FrameInput& frame);
 
 }  // namespace sl

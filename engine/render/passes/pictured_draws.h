@@ -9,6 +9,7 @@ namespace sl {
 struct ByPictures {
     std::vector<std::uint32_t> plain, pictured;
 };
+/// Divides numbers of the scene's draws.
 ByPictures by_pictures(const RenderScene& scene, const std::vector<std::uint32_t>& draws);
 
 /// Binds what shader/lib/picture_colours.glsl reads.

@@ -13,6 +13,7 @@ struct ShadowMaps {
     bool next_is_drawn = false;  ///< the array that suns are about to move to has all of its layers
 };
 
+/// Adds passes for the layers that are out of date.
 ShadowMaps shadow_maps(const FrameInput& frame);
 
 }  // namespace sl

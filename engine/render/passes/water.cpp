@@ -35,7 +35,7 @@ WaterSurfaces water_surfaces(const FrameInput& frame, const std::vector<std::uin
 }
 
 WaterParams water_params(const FrameInput& frame) {
-    const bool knows_sky = frame.scene.gi && std::holds_alternative<Facets>(frame.scene.gi->method);
+    const bool knows_sky = frame.scene.gi && frame.scene.gi->method.is<Facets>();
     const float pixel = 2.0f * glm::length(vec3(frame.params.ray_up)) / frame.params.ray_up.w;
     WaterParams params{};
     params.absorption = vec4(absorption, static_cast<float>(std::fmod(frame.time, ripple_period)));

@@ -40,6 +40,7 @@ class Film {
 
     /// What was traced so far; blocks that continue each other are one.
     const std::vector<FilmBlock>& blocks() const { return blocks_; }
+    /// Notes what has been traced, so that no sample is traced twice.
     void add_block(const FilmBlock& block);
     /// Adds another film's samples. Throws Error when sizes differ or the same samples are in both.
     void add(const Film& other);

@@ -18,6 +18,7 @@ struct ReferenceInfo {
     static void check_same(const ReferenceInfo& a, const std::string& a_name, const ReferenceInfo& b, const std::string& b_name);
 };
 
+/// A path-traced picture and how it was made.
 struct ReferenceFile {
     ReferenceInfo info;
     Film film;

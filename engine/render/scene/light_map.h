@@ -28,6 +28,7 @@ struct LightTable {
     std::vector<ShadowLayer> spot_layers;    ///< of the spot shadow array
     std::vector<std::uint32_t> rsm_layers;   ///< light index per layer of the RSM arrays
 };
+/// Parameters of all lights, and the layers of those that have maps.
 LightTable build_light_table(const RenderScene& scene);
 
 /// Numbers of those whose bounds touch the volume of a projection.

@@ -14,6 +14,7 @@ namespace sl {
 /// Everything a frame is drawn from, as plain arrays: the renderer and the path tracer see this and never the World.
 /// Positions are relative to `origin`, so that float is exact enough wherever the camera stands.
 struct RenderScene {
+    /// The camera.
     struct View {
         vec3 position{0.0f};
         vec3 forward{0, 0, -1};
@@ -29,6 +30,7 @@ struct RenderScene {
         float exposure() const;
     };
 
+    /// A mesh at a place.
     struct Draw {
         MeshHandle mesh;
         mat4 world_from_local{1.0f};
@@ -42,6 +44,7 @@ struct RenderScene {
         bool open = false;          ///< and has holes, or is see-through
     };
 
+    /// A light of any kind; each reads the fields that mean something to it.
     struct Light {
         enum class Kind { directional, spot, point };
         Kind kind = Kind::directional;

@@ -13,6 +13,7 @@ struct MaterialRows {
     std::vector<MaterialParams> materials;
     std::vector<PictureParams> pictures;  ///< of those that read some
 };
+/// A row of `materials` per entry, in their order; each knows the row of its pictures.
 MaterialRows material_rows(std::span<const MaterialEntry> entries);
 
 /// Turns normals right under any scale or mirror: the cofactors of the linear part.

@@ -10,6 +10,7 @@ namespace sl {
 /// Tells where a scene's surfaces differ from those that were last looked at.
 class SurfaceChanges {
   public:
+    /// Something came, went or moved here.
     struct Change {
         Bounds box;
         bool edited;  ///< a part of a mesh that is otherwise as it was, which somebody looks at

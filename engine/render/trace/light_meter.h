@@ -16,6 +16,7 @@ namespace sl {
 /// readings get better over frames while nothing changes, and follow within a few frames where something does.
 class LightMeter {
   public:
+    /// What is known of a point by now.
     struct Reading {
         vec3 irradiance{0.0f};  ///< all but what comes straight from directional, spot and point lights, lux
         vec3 bounced{0.0f};     ///< of that, what has been reflected at least once

@@ -30,6 +30,7 @@ class LightPaths {
     /// No ray can be drawn: nothing lit was found.
     bool empty() const { return sources_.empty(); }
 
+    /// A ray that leaves a light.
     struct Drawn {
         std::uint32_t light = 0;
         Ray ray;

@@ -16,6 +16,7 @@ std::shared_ptr<RTCDeviceTy> start_embree();
 /// One draw's triangles in world space.
 class TracedMesh {
   public:
+    /// What is known of a point of a surface besides its place.
     struct Vertex {
         vec3 normal;
         vec2 uv;

@@ -6,6 +6,7 @@ namespace sl::gl {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
@@ -14,7 +15,7 @@ using testing::StartsWith;
 class ShaderSourceTest : public testing::Test {
   protected:
     TempFolder folder;
-    ShaderSource load(const std::string& file) { return load_shader_source(folder.path(), file, {}); }
+    ShaderSource load(const std::string& file) { return load_shader_source({folder.path()}, file, {}); }
     std::string error(const std::string& file) {
         return error_of([&] { load(file); });
     }
@@ -22,7 +23,7 @@ class ShaderSourceTest : public testing::Test {
 
 TEST_F(ShaderSourceTest, StartsWithVersionAndDefines) {
     folder.write("a.comp", "void main() {}\n");
-    EXPECT_EQ(load_shader_source(folder.path(), "a.comp", {{"FAST", "1"}, {"EMPTY", ""}}).text,
+    EXPECT_EQ(load_shader_source({folder.path()}, "a.comp", {{"FAST", "1"}, {"EMPTY", ""}}).text,
               "#version 450 core\n#define FAST 1\n#define EMPTY \n#line 1 0\nvoid main() {}\n");
 }
 
@@ -69,7 +70,7 @@ TEST_F(ShaderSourceTest, MissingFilesAreNamedWithTheLineThatAsks) {
     folder.write("passes/a.frag", "\n\n#include \"shared/none.h\"\n");
     EXPECT_THAT(error("passes/a.frag"), StartsWith("passes/a.frag:3: there is no \"shared/none.h\""));
     EXPECT_THAT(error("none.frag"), StartsWith("there is no \"none.frag\""));
-    EXPECT_THAT(error_of([] { load_shader_source("/nowhere/at/all", "a", {}); }),
+    EXPECT_THAT(error_of([] { load_shader_source({"/nowhere/at/all"}, "a", {}); }),
                 HasSubstr("/nowhere/at/all"));
     folder.write("b.frag", "#include \"passes\"\n");
     EXPECT_THAT(error("b.frag"), StartsWith("b.frag:1: there is no \"passes\""));
@@ -90,6 +91,19 @@ TEST_F(ShaderSourceTest, NothingLeavesTheFolder) {
         EXPECT_EQ(error(path), "\"" + path + "\" leaves the shader folder");
     }
     fs::remove(outside);
+}
+
+TEST_F(ShaderSourceTest, LaterFoldersAddToTheFirst) {
+    folder.write("engine/lib/x.glsl", "engine\n");
+    folder.write("own/lib/x.glsl", "hidden\n");
+    folder.write("own/own.frag", "#include \"lib/x.glsl\"\n#include \"own.glsl\"\n");
+    folder.write("own/own.glsl", "own\n");
+    const ShaderFolders both{folder.path() / "engine", folder.path() / "own"};
+    const ShaderSource source = load_shader_source(both, "own.frag", {});
+    EXPECT_THAT(source.files, ElementsAre("own.frag", "lib/x.glsl", "own.glsl"));
+    EXPECT_THAT(source.text, AllOf(HasSubstr("engine\n"), HasSubstr("own\n"), Not(HasSubstr("hidden"))));
+    EXPECT_EQ(error_of([&] { load_shader_source(both, "none.frag", {}); }),
+              fmt::format("there is no \"none.frag\" in the shader folder {} or {}", both[0].string(), both[1].string()));
 }
 
 TEST_F(ShaderSourceTest, LinksInsideTheFolderAreTheSameFile) {
