@@ -14,7 +14,7 @@ install(FILES LICENSE ASSETS.md DESTINATION share/doc/secondlight)
 install(DIRECTORY engine DESTINATION ${SL_HEADERS} FILES_MATCHING PATTERN *.h)
 install(DIRECTORY ${GLAD_FOLDER}/include/ DESTINATION ${SL_HEADERS})
 
-set(parts core measure model ecs gl graph scene trace reference facets render)
+set(parts core gltf measure model ecs gl graph scene trace reference facets render)
 foreach(part ${parts} interface)
     set_target_properties(sl_${part} PROPERTIES EXPORT_NAME ${part})
     install(TARGETS sl_${part} EXPORT Secondlight ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}/secondlight)
