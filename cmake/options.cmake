@@ -4,9 +4,11 @@ add_library(sl_options INTERFACE)
 target_compile_features(sl_options INTERFACE cxx_std_20)
 # shader/ too: shader/shared/*.h are read by C++ and GLSL under one name.
 target_include_directories(sl_options INTERFACE ${CMAKE_SOURCE_DIR} ${CMAKE_SOURCE_DIR}/shader)
-# Designated initialisers leave the rest at its default on purpose; g++ 12 sees overlaps in every "a" + std::string(b).
+# Designated initialisers leave the rest at its default on purpose; g++ 12 sees overlaps in every "a" + std::string(b), and
+# clang 19 something deprecated in libstdc++ 12's own std::stable_sort.
 target_compile_options(sl_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
                                             -Wno-missing-field-initializers $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
+                                            $<$<CXX_COMPILER_ID:Clang>:-Wno-deprecated-declarations>
                                             $<$<BOOL:${SL_WERROR}>:-Werror>)
 # Fused multiply-add would make two compilers' pictures differ; the engine's figures must not depend on it.
 target_compile_options(sl_options INTERFACE -ffp-contract=off)
@@ -14,7 +16,8 @@ if(SL_NATIVE)
     target_compile_options(sl_options INTERFACE -march=native)
 endif()
 if(SL_SANITIZE)
-    target_compile_options(sl_options INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer
+    # fuzzer-no-link: the code counts which ways it goes, for tests/fuzz; everything else ignores that.
+    target_compile_options(sl_options INTERFACE -fsanitize=address,undefined,fuzzer-no-link -fno-omit-frame-pointer
                                                 -fno-sanitize-recover=all)
     target_link_options(sl_options INTERFACE -fsanitize=address,undefined)
 endif()
