@@ -36,7 +36,7 @@ vec2 pair_of(const tinygltf::ExtensionMap& extensions, const char* member, vec2 
     if (value == nullptr || !value->IsArray() || value->ArrayLen() != 2) return otherwise;
     for (int i = 0; i < 2; ++i) {
         const tinygltf::Value& number = value->Get(i);
-        if (number.IsNumber() && std::isfinite(number.GetNumberAsDouble())) otherwise[i] = static_cast<float>(number.GetNumberAsDouble());
+        if (number.IsNumber() && std::isfinite(static_cast<float>(number.GetNumberAsDouble()))) otherwise[i] = static_cast<float>(number.GetNumberAsDouble());
     }
     return otherwise;
 }

@@ -155,7 +155,7 @@ std::optional<ModelPrimitive> gltf_primitive(const tinygltf::Model& file, const 
     check_shape(coordinates, count, 2, 2, "TEXCOORD_0", where);
 
     ModelPrimitive result;
-    result.material = primitive.material;
+    if (primitive.material >= 0 && static_cast<std::size_t>(primitive.material) < model.materials.size()) result.material = primitive.material;
     MeshData& mesh = result.mesh;
     mesh.vertices.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
@@ -194,8 +194,7 @@ std::optional<ModelPrimitive> gltf_primitive(const tinygltf::Model& file, const 
     result.morphs = morphs_of(file, primitive, count, where);
     result.joints = joints_of(file, primitive, count, where);
     if (normals.numbers.empty()) make_flat_normals(result);
-    const bool two_sided = primitive.material >= 0 && static_cast<std::size_t>(primitive.material) < model.materials.size() && model.materials[static_cast<std::size_t>(primitive.material)].two_sided;
-    if (two_sided) show_backs(result);
+    if (result.material >= 0 && model.materials[static_cast<std::size_t>(result.material)].two_sided) show_backs(result);
     return result;
 }
 

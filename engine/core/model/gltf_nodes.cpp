@@ -16,7 +16,11 @@ using Index = std::int32_t;
 
 Index in_range(int index, std::size_t size) { return index >= 0 && static_cast<std::size_t>(index) < size ? index : -1; }
 
-float finite(double value, float otherwise) { return std::isfinite(value) ? static_cast<float>(value) : otherwise; }
+/// As a float, which may have no room for it.
+float finite(double value, float otherwise) {
+    const auto number = static_cast<float>(value);
+    return std::isfinite(number) ? number : otherwise;
+}
 
 /// The numbers of nodes of the file, parents first.
 class NodeOrder {
@@ -62,7 +66,7 @@ template <class Vector>
 void take(const std::vector<double>& values, std::size_t count, Vector& into) {
     if (values.size() != count) return;
     for (std::size_t i = 0; i < count; ++i) {
-        if (std::isfinite(values[i])) into[static_cast<int>(i)] = static_cast<typename Vector::value_type>(values[i]);
+        if (std::isfinite(static_cast<float>(values[i]))) into[static_cast<int>(i)] = static_cast<typename Vector::value_type>(values[i]);
     }
 }
 
