@@ -24,6 +24,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
         app.schedule.run(app.world);
         sl::RenderScene scene;
         sl::extract(app.world, scene);
+        if (!scene.view) return 0;
         const sl::LightTable lights = sl::build_light_table(scene);
         const sl::FrameParams params = sl::frame_params(scene, 640, 360, 0);
         (void)sl::visible_draws(scene, params.clip_from_world);
