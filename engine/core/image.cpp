@@ -6,9 +6,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "engine/core/check.h"
 #include "engine/core/error.h"
+#include "engine/core/memory_reader.h"
+#include "engine/core/picture_header.h"
 #include "engine/core/text_file.h"
 
 namespace sl {
@@ -19,6 +22,7 @@ namespace fs = std::filesystem;
 constexpr int max_side = 1 << 16;
 constexpr std::uint64_t max_pixels = std::uint64_t{1} << 28;
 constexpr std::uint64_t max_compression = 100000;  // beyond what any picture reaches: the header lies
+constexpr std::uint64_t most_file_bytes = std::uint64_t{1} << 32;
 constexpr const char* layer_order = "secondlight:layers";
 constexpr const char* note_name = "secondlight:note";
 
@@ -53,21 +57,33 @@ std::vector<std::string> channel_names(const ImageLayer& layer) {
     return names;
 }
 
-std::unique_ptr<OIIO::ImageInput> open_image(const fs::path& path) {
+/// A file that is open; its bytes outlive the reader.
+struct OpenImage {
+    std::unique_ptr<std::string> bytes;
+    std::unique_ptr<MemoryReader> reader;
+    std::unique_ptr<OIIO::ImageInput> input;
+};
+
+/// Of one format: the library, left to itself, would try the parsers of thirty of them on a file from anywhere.
+OpenImage open_image(const fs::path& path, const char* format, const char* shown) {
     std::error_code ignored;
     if (!fs::is_regular_file(path, ignored)) fail("{}: cannot be read: there is no such file", path.string());
-    OIIO::ImageSpec config;
+    OpenImage open{.bytes = std::make_unique<std::string>(read_text_file(path, most_file_bytes)), .reader = {}, .input = {}};
+    const PictureHeader header = picture_header(*open.bytes, path.string());
+    if (header.format == nullptr || std::string_view(header.format) != format) fail("{}: it is not {}", path.string(), shown);
+    open.reader = std::make_unique<MemoryReader>(open.bytes->data(), open.bytes->size());
+    // The library's newer reader of EXR believes fewer lengths that files tell.
+    OIIO::attribute("openexr:core", 1);
+    open.input = OIIO::ImageInput::create(format);
+    OIIO::ImageSpec config, spec;
     config["oiio:UnassociatedAlpha"] = 1;  // colours as stored, not multiplied by alpha
-    auto input = OIIO::ImageInput::open(path.string(), &config);
-    if (!input) fail("{}: cannot be read: {}", path.string(), first_line(OIIO::geterror()));
-    return input;
+    if (!open.input || !open.input->set_ioproxy(open.reader.get()) || !open.input->open(path.string(), spec, config)) {
+        fail("{}: cannot be read: {}", path.string(), first_line(open.input ? open.input->geterror() : OIIO::geterror()));
+    }
+    return open;
 }
 
-std::unique_ptr<OIIO::ImageInput> open_exr(const fs::path& path) {
-    auto input = open_image(path);
-    if (std::string_view(input->format_name()) != "openexr") fail("{}: it is not an EXR", path.string());
-    return input;
-}
+OpenImage open_exr(const fs::path& path) { return open_image(path, "openexr", "an EXR"); }
 
 void check_size(const fs::path& path, const OIIO::ImageSpec& spec) {
     if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.deep || spec.nchannels < 1) {
@@ -175,15 +191,15 @@ void write_exr(const fs::path& path, const std::vector<ImageLayer>& layers, cons
 }
 
 std::vector<ImageLayer> read_exr(const fs::path& path) {
-    const auto input = open_exr(path);
+    const OpenImage open = open_exr(path);
     std::vector<ImageLayer> layers;
-    for (int part = 0; input->seek_subimage(part, 0); ++part) {
-        split_layers(input->spec(), read_part(path, *input, part), layers);
+    for (int part = 0; open.input->seek_subimage(part, 0); ++part) {
+        split_layers(open.input->spec(), read_part(path, *open.input, part), layers);
     }
     return layers;
 }
 
-std::string read_exr_note(const fs::path& path) { return std::string(open_exr(path)->spec().get_string_attribute(note_name)); }
+std::string read_exr_note(const fs::path& path) { return std::string(open_exr(path).input->spec().get_string_attribute(note_name)); }
 
 void write_png(const fs::path& path, const Image& image) {
     CHECK(image.width > 0 && image.height > 0 && image.channels >= 1 && image.channels <= 4,
@@ -201,12 +217,9 @@ void write_png(const fs::path& path, const Image& image) {
 }
 
 Image read_png(const fs::path& path) {
-    const auto input = open_image(path);
-    const OIIO::ImageSpec& spec = input->spec();
-    if (spec.format != OIIO::TypeDesc::UINT8 && spec.format != OIIO::TypeDesc::UINT16) {
-        fail("{}: it is not an 8-bit picture", path.string());
-    }
-    std::vector<float> pixels = read_part(path, *input, 0);
+    const OpenImage open = open_image(path, "png", "a PNG");
+    const OIIO::ImageSpec& spec = open.input->spec();
+    std::vector<float> pixels = read_part(path, *open.input, 0);
     Image image;
     image.width = static_cast<std::uint32_t>(spec.width);
     image.height = static_cast<std::uint32_t>(spec.height);

@@ -43,7 +43,7 @@ std::string read_exr_note(const std::filesystem::path& path);
 
 /// Writes display-referred values in [0, 1] (already sRGB-encoded) as 8-bit PNG. Same guarantees as write_exr.
 void write_png(const std::filesystem::path& path, const Image& image);
-/// Reads a PNG (or any 8-bit picture) into values in [0, 1] without changing their encoding.
+/// Reads a PNG into values in [0, 1] without changing their encoding. Throws like read_exr.
 Image read_png(const std::filesystem::path& path);
 
 /// Places pictures of one height side by side with a gap of `gap` white pixels.

@@ -118,7 +118,7 @@ void Executor::bind_inputs(const FrameGraph& graph, const PassRecord& pass, cons
         glBindSampler(unit->second, samplers_.id(read.sampling));
     }
     for (const auto& [name, unit] : program.samplers()) {
-        CHECK(std::ranges::any_of(pass.reads, [&, &name = name](const ImageRead& read) { return read.sampler == name; }),
+        CHECK(std::ranges::any_of(pass.reads, [&, &wanted = name](const ImageRead& read) { return read.sampler == wanted; }),
               "the shader of pass '{}' has a sampler '{}' that nobody reads into", pass.name, name);
     }
     for (const ImageStore& store : pass.stores) {
@@ -133,7 +133,7 @@ void Executor::bind_inputs(const FrameGraph& graph, const PassRecord& pass, cons
         glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding->second, native(graph, use.buffer));
     }
     for (const auto& [name, binding] : program.storage_blocks()) {
-        CHECK(std::ranges::any_of(pass.storage, [&, &name = name](const StorageUse& use) { return use.block == name; }),
+        CHECK(std::ranges::any_of(pass.storage, [&, &wanted = name](const StorageUse& use) { return use.block == wanted; }),
               "the shader of pass '{}' has a storage block '{}' that nobody gives", pass.name, name);
     }
 }
@@ -149,7 +149,7 @@ void Executor::bind_params(const PassRecord& pass, const gl::Program& program) {
         glBindBufferBase(GL_UNIFORM_BUFFER, binding->second, buffer.id());
     }
     for (const auto& [name, binding] : program.uniform_blocks()) {
-        CHECK(std::ranges::any_of(pass.params, [&, &name = name](const ParamBlock& params) { return params.block == name; }),
+        CHECK(std::ranges::any_of(pass.params, [&, &wanted = name](const ParamBlock& params) { return params.block == wanted; }),
               "the shader of pass '{}' has a block '{}' that nobody gives", pass.name, name);
     }
 }

@@ -35,6 +35,9 @@ void add_merge_command(const Flags& program);
 /// Needs no context, so no flags.
 void add_compare_command(const Flags& program);
 
+/// The program with all its commands. `flags` outlives it.
+Program whole_program(GlobalFlags& flags);
+
 inline constexpr const char* scene_flag_help = "Scene by name (see `secondlight list scenes`), or path of a scene file or of a model (.gltf, .glb, .vox); the flag may be left out";
 /// The flags --scene, --gi and --set that several commands share.
 void add_scene_flags(const Flags& command, SceneChoice& choice);

@@ -18,7 +18,6 @@ namespace {
 constexpr double measured_within = 25.0;  // m
 /// So long the light must stay: a torch that is carried past does not count.
 constexpr double lit_long_enough = 1.0;  // s
-constexpr float least_noise = 0.2f;
 constexpr double celebrated_for = 6.0, celebrated_at_last = 20.0;  // s
 /// From the middle to where light is measured: outside the crystal itself, m.
 constexpr double to_its_sides = 0.4;

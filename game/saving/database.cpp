@@ -9,6 +9,8 @@ namespace sl {
 
 namespace {
 
+constexpr int longest_text = 1 << 24;  // bytes, and of a row
+
 std::string reason(int code, const char* message) {
     switch (code & 0xff) {
         case SQLITE_BUSY:
@@ -62,9 +64,10 @@ Database::Database(const std::filesystem::path& path, Access access) : path_(pat
     connection_.reset(connection);
     if (code != SQLITE_OK) fail_with(code);
     sqlite3_extended_result_codes(connection, 1);
-    // Files come from strangers: no attached files, no code in the schema.
+    // Files come from strangers: no attached files, no code in the schema, no text that is made longer than any file of ours has.
     sqlite3_db_config(connection, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
     sqlite3_db_config(connection, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
+    sqlite3_limit(connection, SQLITE_LIMIT_LENGTH, longest_text);
 }
 
 void Database::run(const std::string& sql) {

@@ -16,19 +16,28 @@ namespace {
 constexpr std::int64_t application_id = 0x534c7764, newest_schema = 1;
 constexpr auto try_again_after = std::chrono::seconds(1);
 constexpr double last_wait = 3.0;  // s
+constexpr std::int64_t farthest_block = std::int64_t{1} << 30;
 
 /// Write-ahead log without waiting for the disk: what was committed survives the end of the process, and a power cut costs the
 /// last moments but no consistency. Exclusive: another process is refused.
 constexpr const char* begin_writing = "PRAGMA locking_mode=EXCLUSIVE; PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL; BEGIN EXCLUSIVE; COMMIT;";
 
-constexpr const char* tables =
-    "CREATE TABLE text (key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;"
-    "CREATE TABLE block (volume INTEGER, x INTEGER, y INTEGER, z INTEGER, kind INTEGER NOT NULL, PRIMARY KEY (volume, x, y, z)) WITHOUT ROWID;";
+constexpr const char* block_table =
+    "CREATE TABLE block (volume INTEGER, x INTEGER, y INTEGER, z INTEGER, kind INTEGER NOT NULL, PRIMARY KEY (volume, x, y, z)) WITHOUT ROWID";
+constexpr const char* text_table = "CREATE TABLE text (key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID";
+
+/// A stranger's tables may be views that never end, or have triggers and columns that compute.
+void check_tables(Database& database, const std::filesystem::path& path) {
+    Database::Statement table(database, "SELECT sql FROM sqlite_schema ORDER BY name");
+    const bool ours = table.next() && table.text(0) == block_table && table.next() && table.text(0) == text_table && !table.next();
+    if (!ours) fail("{}: it is damaged: its tables are not those of a world", path.string());
+}
 
 void check_kind(Database& database, const std::filesystem::path& path) {
     if (database.integer("PRAGMA application_id") != application_id) fail("{}: it is a database, but no world", path.string());
     const std::int64_t schema = database.integer("PRAGMA user_version");
     if (schema > newest_schema) fail("{}: it was written by a newer version of this program (its tables are of version {}, not {})", path.string(), schema, newest_schema);
+    check_tables(database, path);
 }
 
 void check_pages(Database& database, const std::filesystem::path& path) {
@@ -63,7 +72,7 @@ std::unique_ptr<WorldFile> WorldFile::create(const std::filesystem::path& path, 
     std::filesystem::remove(unfinished, ignored);
     {
         Database database(unfinished, Database::Access::create);
-        database.run(fmt::format("BEGIN; {} PRAGMA application_id={}; PRAGMA user_version={};", tables, application_id, newest_schema));
+        database.run(fmt::format("BEGIN; {}; {}; PRAGMA application_id={}; PRAGMA user_version={};", block_table, text_table, application_id, newest_schema));
         Database::Statement(database, "INSERT INTO text VALUES ('scene', ?)").bind(0, scene).next();
         database.run("COMMIT");
     }
@@ -117,7 +126,7 @@ void WorldFile::load() {
     while (blocks.next()) {
         const auto coordinate = [&](int column) {
             const std::int64_t value = blocks.integer(column);
-            if (std::abs(value) > (1 << 30)) fail("{}: it is damaged: a block lies at {}", path_.string(), value);
+            if (value < -farthest_block || value > farthest_block) fail("{}: it is damaged: a block lies at {}", path_.string(), value);
             return static_cast<int>(value);
         };
         const std::int64_t kind = blocks.integer(4), volume = blocks.integer(0);

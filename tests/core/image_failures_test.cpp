@@ -70,7 +70,7 @@ TEST_F(ImageFailuresTest, FailuresToReadNameTheFile) {
     EXPECT_THAT(error_of([&] { read_exr(folder / "a.png"); }), HasSubstr("a.png: it is not an EXR"));
     write_exr(folder / "a.exr", {{"", Image(2, 2, 3)}});
     EXPECT_THAT(error_of([&] { read_png(folder / "a.exr"); }),
-                HasSubstr("a.exr: it is not an 8-bit picture"));
+                HasSubstr("a.exr: it is not a PNG"));
 }
 
 TEST_F(ImageFailuresTest, CutFilesAreErrorsAtEveryLength) {

@@ -81,6 +81,13 @@ TEST_F(VoxModelTest, FaultsNameTheByte) {
     for (std::size_t size = 0; size + 1 < whole.size(); ++size) (void)fault_of(whole.substr(0, size));  // no crash
     const std::string none = number(0);
     EXPECT_THAT(fault_of(file(grid({1, 1, 1}, {}) + chunk("nGRP", number(0) + none + number(2) + number(0) + number(0)))), HasSubstr("stands above itself"));
+    // A group of 1000 times one shape, which shows its model 1000 times.
+    std::string group = number(0) + none + number(1000), shape = number(1) + none + number(1000);
+    for (int i = 0; i < 1000; ++i) {
+        group += number(1);
+        shape += number(0) + none;
+    }
+    EXPECT_THAT(fault_of(file(grid({1, 1, 1}, {}) + chunk("nGRP", group) + chunk("nSHP", shape))), HasSubstr("shown more than 100000 times"));
 }
 
 }  // namespace

@@ -133,6 +133,8 @@ void deform(const ModelPrimitive& primitive, const MeshData& rest, const std::ve
             const vec3 x(blended[0]), y(blended[1]), z(blended[2]);
             normal = normal.x * glm::cross(y, z) + normal.y * glm::cross(z, x) + normal.z * glm::cross(x, y);
         }
+        // Numbers of a file may be such that their sums and products are none.
+        for (int axis = 0; axis < 3; ++axis) position[axis] = std::isfinite(position[axis]) ? position[axis] : rest.vertices[i].position[axis];
         mesh.vertices[i].position = position;
         mesh.vertices[i].normal = pack_normal(unit_or(normal, vec3(0, 1, 0)));
         mesh.bounds.add(position);

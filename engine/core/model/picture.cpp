@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "engine/core/model/picture.h"
 
-#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
 
@@ -12,34 +11,31 @@
 
 #include "engine/core/closest_name.h"
 #include "engine/core/error.h"
-#include "engine/core/gltf/gltf_image_header.h"
+#include "engine/core/memory_reader.h"
+#include "engine/core/picture_header.h"
 #include "engine/core/srgb.h"
 
 namespace sl {
 
 namespace {
 
-/// The format as OpenImageIO calls it.
-const char* format_of(const std::vector<std::byte>& bytes) {
-    switch (read_gltf_image_header(bytes).kind) {
-        case GltfImageKind::png: return "png";
-        case GltfImageKind::jpeg: return "jpeg";
-        case GltfImageKind::webp: return "webp";
-        default: return nullptr;
-    }
-}
-
 /// A picture whose header has been read; the image's bytes must outlive it.
 struct OpenPicture {
-    std::unique_ptr<OIIO::Filesystem::IOMemReader> reader;
+    std::unique_ptr<MemoryReader> reader;
     std::unique_ptr<OIIO::ImageInput> input;
 };
 
+void check_picture_size(const ModelImage& image, std::uint64_t width, std::uint64_t height) {
+    if (width > 0 && height > 0 && std::max(width, height) <= widest_picture && width * height <= most_picture_pixels) return;
+    fail("{}: a picture of {} x {} is more than is read", image.name, width, height);
+}
+
 OpenPicture open_picture(const ModelImage& image) {
-    const char* format = format_of(image.bytes);
-    if (format == nullptr) fail("{}: it is no PNG, JPEG or WebP", image.name);
-    OpenPicture open{.reader = std::make_unique<OIIO::Filesystem::IOMemReader>(const_cast<std::byte*>(image.bytes.data()), image.bytes.size()), .input = OIIO::ImageInput::create(format)};
-    if (open.input == nullptr) fail("{}: pictures of this format ({}) cannot be read here", image.name, format);
+    const PictureHeader header = picture_header({reinterpret_cast<const char*>(image.bytes.data()), image.bytes.size()}, image.name);
+    if (header.format == nullptr || std::string_view(header.format) == "openexr") fail("{}: it is no PNG, JPEG or WebP", image.name);
+    check_picture_size(image, header.size.x, header.size.y);
+    OpenPicture open{.reader = std::make_unique<MemoryReader>(image.bytes.data(), image.bytes.size()), .input = OIIO::ImageInput::create(header.format)};
+    if (open.input == nullptr) fail("{}: pictures of this format ({}) cannot be read here", image.name, header.format);
     OIIO::ImageSpec config, spec;
     // Colours are not multiplied by their alpha.
     config.attribute("oiio:UnassociatedAlpha", 1);
@@ -47,10 +43,9 @@ OpenPicture open_picture(const ModelImage& image) {
         const std::string why = for_message(open.input->geterror());
         fail("{}: it cannot be read as a picture: {}", image.name, why);
     }
-    const bool sane = spec.width > 0 && spec.height > 0 && spec.nchannels > 0 && spec.width <= static_cast<int>(widest_picture) && spec.height <= static_cast<int>(widest_picture);
-    if (!sane || static_cast<std::uint64_t>(spec.width) * static_cast<std::uint64_t>(spec.height) > most_picture_pixels) {
-        fail("{}: a picture of {} x {} is more than is read", image.name, spec.width, spec.height);
-    }
+    // The library may have found another header than we did.
+    check_picture_size(image, static_cast<std::uint64_t>(std::max(spec.width, 0)), static_cast<std::uint64_t>(std::max(spec.height, 0)));
+    if (spec.nchannels < 1) fail("{}: it has no channels", image.name);
     return open;
 }
 

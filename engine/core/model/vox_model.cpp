@@ -20,7 +20,9 @@ namespace sl {
 namespace {
 
 constexpr int longest_side = 256;
-constexpr std::size_t most_nodes = 100000, most_pairs = 1000, deepest_node = 64, most_visits = 1000000;
+/// Nodes, of the file and of the model.
+constexpr std::size_t most_nodes = 100000;
+constexpr std::size_t most_pairs = 1000, deepest_node = 64, most_visits = 1000000;
 /// Cells of all models of a file.
 constexpr std::size_t most_cells = std::size_t{1} << 27;
 
@@ -127,7 +129,7 @@ void read_voxels(Reader& reader, VoxelGrid& grid, std::size_t& cells) {
 
 Turn turn_of(const Attributes& frame) {
     Turn turn;
-    const int packed = static_cast<int>(number_of(frame, "_r", 4.0f));
+    const int packed = static_cast<int>(std::clamp(number_of(frame, "_r", 4.0f), 0.0f, 127.0f));
     const int first = packed & 3, second = packed >> 2 & 3;
     // Two rows that name one axis, or a fourth one, are no turn.
     if (first > 2 || second > 2 || first == second) return turn;
@@ -274,6 +276,7 @@ class Assembler {
     }
     /// The file's z is up. A turn that mirrors has a negative scale.
     void show(std::size_t grid, vec3 shift, mat3 turn, const std::string& name) {
+        if (model_.nodes.size() >= most_nodes) fail("its models are shown more than {} times", most_nodes);
         ModelNode node{.name = name};
         const mat3 y_up(vec3(1, 0, 0), vec3(0, 0, -1), vec3(0, 1, 0));
         mat3 placed = y_up * turn;

@@ -185,7 +185,7 @@ class ModelLoader {
         const auto& primitives = loaded.model->meshes[mesh].primitives;
         for (std::size_t i = 0; i < primitives.size(); ++i) {
             const auto plain = static_cast<std::int32_t>(loaded.model->materials.size());
-            const std::int32_t material = primitives[i].material >= 0 && primitives[i].material < plain ? primitives[i].material : plain;
+            const std::int32_t material = primitives[i].material >= 0 ? primitives[i].material : plain;
             const bool own = deforms(primitives[i]);
             const MeshHandle handle = own ? world_.resource<MeshPool>().insert(primitives[i].mesh) : loaded.meshes[mesh][i];
             // A skin says where its mesh is, whatever its node does.

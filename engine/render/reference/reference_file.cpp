@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "engine/core/error.h"
@@ -83,20 +84,32 @@ std::string note_of(const ReferenceInfo& info, const Film& film) {
                 {"blocks", blocks}}.dump();
 }
 
-ReferenceInfo info_of(const Json& json) {
+template <class Number>
+Number whole_number(const Json& json, const std::string& file) {
+    const double number = json.is_number_integer() ? json.get<double>() : -1e30;
+    if (number < std::numeric_limits<Number>::min() || number > std::numeric_limits<Number>::max()) fail("{}: its description is damaged ({:.40} is no such number)", file, json.dump());
+    return json.get<Number>();
+}
+
+ReferenceInfo info_of(const Json& json, const std::string& file) {
     ReferenceInfo info;
     info.scene = json.at("scene");
     const std::string content = json.at("content");
     std::from_chars(content.data(), content.data() + content.size(), info.content, 16);
-    info.size = {json.at("size").at(0), json.at("size").at(1)};
-    info.transport = {.bounces = json.at("bounces"), .occlusion = json.at("occlusion"),
+    const auto number = [&](const Json& from) { return whole_number<std::uint32_t>(from, file); };
+    info.size = {number(json.at("size").at(0)), number(json.at("size").at(1))};
+    info.transport = {.bounces = whole_number<int>(json.at("bounces"), file), .occlusion = json.at("occlusion"),
                       .reflection = json.at("reflection") == "full" ? Reflection::full : Reflection::diffuse,
-                      .pixel_area = json.at("pixel_area"), .seed = json.at("seed")};
+                      .pixel_area = json.at("pixel_area"), .seed = number(json.at("seed"))};
     return info;
 }
 
-FilmBlock block_of(const Json& json) {
-    return {.low = {json.at(0), json.at(1)}, .high = {json.at(2), json.at(3)}, .first = json.at(4), .last = json.at(5)};
+FilmBlock block_of(const Json& json, uvec2 size, const std::string& file) {
+    const auto number = [&](std::size_t i) { return whole_number<std::uint32_t>(json.at(i), file); };
+    const FilmBlock block{.low = {number(0), number(1)}, .high = {number(2), number(3)}, .first = number(4), .last = number(5)};
+    const bool inside = glm::all(glm::lessThan(block.low, block.high)) && glm::all(glm::lessThanEqual(block.high, size)) && block.first < block.last;
+    if (!inside) fail("{}: its description is damaged (there can be no block {:.80})", file, json.dump());
+    return block;
 }
 
 }  // namespace
@@ -127,12 +140,12 @@ ReferenceFile read_reference(const std::filesystem::path& path) {
     const Json json = parse_json(note, file);
     try {
         if (json.at("secondlight_reference") != file_version) fail("{}: it was written by another version of this program", file);
-        const ReferenceInfo info = info_of(json);
+        const ReferenceInfo info = info_of(json, file);
         const std::vector<ImageLayer> layers = read_exr(path);
         if (layers.empty() || uvec2(layers[0].image.width, layers[0].image.height) != info.size) fail("{}: its size is not what it says", file);
         ReferenceFile result{.info = info, .film = Film(info.size)};
         read_sums(layers, file, result.film);
-        for (const Json& block : json.at("blocks")) result.film.add_block(block_of(block));
+        for (const Json& block : json.at("blocks")) result.film.add_block(block_of(block, info.size, file));
         return result;
     } catch (const Json::exception& error) {
         fail("{}: its description is damaged ({})", file, error.what());

@@ -27,11 +27,27 @@ float extinction_of(float visibility) { return 3.912f / visibility; }
 
 vec3 forward_of(const WorldTransform& transform) { return glm::normalize(transform.linear * vec3(0, 0, -1)); }
 
+/// m: beyond it, squares of lengths are no numbers. What a file places there, or nowhere, is left out.
+constexpr float farthest = 1e15f;
+
+bool is_placed(const WorldTransform& transform) {
+    bool placed = glm::all(glm::lessThan(glm::abs(transform.origin), dvec3(farthest)));
+    for (int axis = 0; axis < 3; ++axis) placed &= glm::all(glm::lessThan(glm::abs(transform.linear[axis]), vec3(farthest)));
+    return placed;
+}
+
+/// Whether it also has a front, and what is above it: something that is scaled to nothing has neither.
+bool is_turned(const WorldTransform& transform) {
+    return is_placed(transform) && glm::length(glm::cross(forward_of(transform), transform.linear * vec3(0, 1, 0))) > 0.0f;
+}
+
+bool is_within_reach(const Bounds& bounds) { return glm::all(glm::lessThan(glm::max(glm::abs(bounds.low), glm::abs(bounds.high)), vec3(farthest))); }
+
 void extract_view(World& world, RenderScene& scene) {
     scene.view.reset();
     scene.gi.reset();
     for (auto [entity, camera, transform] : Query<const Camera, const WorldTransform>(world)) {
-        if (!camera.active) continue;
+        if (!camera.active || !is_turned(transform)) continue;
         scene.origin = snapped_origin(transform.origin, scene.origin);
         scene.view = RenderScene::View{.position = relative(transform, scene.origin),
                                        .forward = forward_of(transform),
@@ -80,6 +96,8 @@ void extract_draws(World& world, RenderScene& scene) {
         draw.mesh = instance.mesh;
         draw.entity = entity;
         draw.world_from_local = placed(transform, scene.origin);
+        draw.bounds = transformed(mesh->bounds, draw.world_from_local);
+        if (!is_within_reach(draw.bounds)) continue;
         std::uint64_t own_material = 0;
         if (instance.first_material == MeshInstance::own_material) {
             const auto* material = world.find<Material>(entity);
@@ -94,7 +112,6 @@ void extract_draws(World& world, RenderScene& scene) {
             draw.pictured = pictures.has_value();
             draw.open = draw.pictured && pictures->alpha.y != 0.0f;
         }
-        draw.bounds = transformed(mesh->bounds, draw.world_from_local);
         // Where it is in the world: the origin may step on.
         draw.content = hash_bytes(hash_mix(own_material, draw.first_material), &transform.origin, sizeof(dvec3));
         draw.content = hash_bytes(draw.content, &transform.linear, sizeof(mat3));
@@ -126,14 +143,14 @@ void extract_lights(World& world, RenderScene& scene) {
     using Light = RenderScene::Light;
     scene.lights.clear();
     for (auto [entity, light, transform] : Query<const DirectionalLight, const WorldTransform>(world)) {
-        if (light.illuminance <= 0.0f) continue;
+        if (light.illuminance <= 0.0f || !is_turned(transform)) continue;
         scene.lights.push_back({.kind = Light::Kind::directional, .direction = forward_of(transform),
                                 .intensity = light.colour * light.illuminance, .casts_shadow = light.casts_shadow,
                                 .bounces = light.bounces, .shadow_size = light.shadow_size,
                                 .shadow_distance = light.shadow_distance, .entity = entity});
     }
     for (auto [entity, light, transform] : Query<const SpotLight, const WorldTransform>(world)) {
-        if (light.intensity <= 0.0f) continue;
+        if (light.intensity <= 0.0f || !is_turned(transform)) continue;
         scene.lights.push_back({.kind = Light::Kind::spot, .position = relative(transform, scene.origin),
                                 .direction = forward_of(transform), .intensity = light.colour * light.intensity,
                                 .range = light.range, .inner_cone = std::min(light.inner_cone, light.outer_cone),
@@ -141,7 +158,7 @@ void extract_lights(World& world, RenderScene& scene) {
                                 .bounces = light.bounces, .shadow_size = light.shadow_size, .entity = entity});
     }
     for (auto [entity, light, transform] : Query<const PointLight, const WorldTransform>(world)) {
-        if (light.intensity <= 0.0f) continue;
+        if (light.intensity <= 0.0f || !is_placed(transform)) continue;
         scene.lights.push_back({.kind = Light::Kind::point, .position = relative(transform, scene.origin),
                                 .intensity = light.colour * light.intensity, .range = light.range, .entity = entity});
     }

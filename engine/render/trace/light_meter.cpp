@@ -119,7 +119,7 @@ void LightMeter::take_over_batches() {
     for (auto& [point, measured] : points_) {
         const Batch batch = std::exchange(measured.batch, {});
         if (batch.paths == 0) continue;
-        if (!measured.reading) measured.reading.emplace();
+        if (!measured.reading) measured.reading = Reading{};
         Reading& reading = *measured.reading;
         const float share = 1.0f / static_cast<float>(++measured.batches), scale = 1.0f / static_cast<float>(batch.paths);
         const float light = luminance(batch.bounced) * scale;

@@ -2,7 +2,6 @@
 #include "engine/render/trace/traced_mesh.h"
 
 #include <algorithm>
-#include <cstring>
 
 #include "engine/core/error.h"
 #include "engine/render/scene/rows.h"
@@ -43,7 +42,9 @@ TracedMesh::TracedMesh(std::shared_ptr<RTCDeviceTy> device, const MeshData& mesh
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
         uvec3 corners(mesh.indices[i], mesh.indices[i + 1], mesh.indices[i + 2]);
         if (mirrored) std::swap(corners.y, corners.z);
-        triangles_.push_back(corners);
+        // Triangles that are points meet no ray, and Embree 3 stops the program where all that it looks at lies in one point.
+        const vec3& first = positions_[corners.x];
+        if (positions_[corners.y] != first || positions_[corners.z] != first) triangles_.push_back(corners);
     }
     give_to_embree();
 }
@@ -51,17 +52,17 @@ TracedMesh::TracedMesh(std::shared_ptr<RTCDeviceTy> device, const MeshData& mesh
 void TracedMesh::move(vec3 offset) {
     for (vec3& position : positions_) position += offset;
     bounds_ = bounds_.moved(offset);
-    std::memcpy(rtcGetGeometryBufferData(geometry_.get(), RTC_BUFFER_TYPE_VERTEX, 0), positions_.data(), positions_.size() * sizeof(vec3));
+    std::ranges::copy(positions_, static_cast<vec3*>(rtcGetGeometryBufferData(geometry_.get(), RTC_BUFFER_TYPE_VERTEX, 0)));
     rtcUpdateGeometryBuffer(geometry_.get(), RTC_BUFFER_TYPE_VERTEX, 0);
     rtcCommitGeometry(geometry_.get());
 }
 
 void TracedMesh::give_to_embree() {
     geometry_.reset(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
-    void* positions = rtcSetNewGeometryBuffer(geometry_.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(vec3), positions_.size());
-    void* triangles = rtcSetNewGeometryBuffer(geometry_.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(uvec3), triangles_.size());
-    std::memcpy(positions, positions_.data(), positions_.size() * sizeof(vec3));
-    std::memcpy(triangles, triangles_.data(), triangles_.size() * sizeof(uvec3));
+    auto* positions = static_cast<vec3*>(rtcSetNewGeometryBuffer(geometry_.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(vec3), positions_.size()));
+    auto* triangles = static_cast<uvec3*>(rtcSetNewGeometryBuffer(geometry_.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(uvec3), triangles_.size()));
+    std::ranges::copy(positions_, positions);
+    std::ranges::copy(triangles_, triangles);
     rtcSetGeometryBuildQuality(geometry_.get(), RTC_BUILD_QUALITY_HIGH);
     rtcCommitGeometry(geometry_.get());
 }

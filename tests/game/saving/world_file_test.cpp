@@ -123,6 +123,17 @@ TEST_F(WorldFileTest, WhatIsNoWorldIsRefusedAndStaysAsItIs) {
     EXPECT_THAT(refusal(), HasSubstr("newer version"));
 }
 
+TEST_F(WorldFileTest, TablesOfAStrangerAreRefused) {
+    const char* endless = "DROP TABLE text; CREATE VIEW text AS WITH RECURSIVE n(i) AS (SELECT 0 UNION ALL SELECT i + 1 FROM n) SELECT 'k' || i AS key, 'v' AS value FROM n";
+    for (const char* more : {endless, "CREATE TRIGGER t AFTER INSERT ON block BEGIN DELETE FROM block; END", "CREATE TABLE other (x)", "ALTER TABLE text ADD COLUMN c AS (hex(zeroblob(1000000)))"}) {
+        std::filesystem::remove(path_);
+        (void)WorldFile::create(path_, "outdoor");
+        Database(path_, Database::Access::write).run(more);
+        EXPECT_THAT(refusal(), HasSubstr("its tables are not those of a world")) << more;
+        EXPECT_THROW((void)WorldFile::scene_of(path_), Error);
+    }
+}
+
 TEST_F(WorldFileTest, DamagedFilesAreRefusedOrRead) {
     {
         auto world = WorldFile::create(path_, "outdoor");

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "engine/core/error.h"
 #include "engine/render/reference/reference.h"
@@ -77,6 +78,20 @@ TEST_F(ReferenceFileTest, RefusesOtherFiles) {
     write_reference(folder_ / "a.exr", info(tracer), Film(size));
     write_exr(folder_ / "lacks.exr", {{"", Image(7, 5, 3)}}, read_exr_note(folder_ / "a.exr"));
     EXPECT_THAT(error_of(folder_ / "lacks.exr"), testing::HasSubstr("lacks the layer"));
+}
+
+TEST_F(ReferenceFileTest, RefusesNumbersThatCannotBe) {
+    const PathTracer tracer(builder_.scene(), size, {});
+    Film film(size);
+    film.add_block({.high = size, .last = 4});
+    write_reference(folder_ / "a.exr", info(tracer), film);
+    const std::vector<ImageLayer> layers = read_exr(folder_ / "a.exr");
+    for (const auto& [key, value] : {std::pair{"seed", "1e30"}, {"size", "[-7, 5]"}, {"bounces", "4294967296"}, {"blocks", "[[0, 0, 7, 6, 0, 4]]"}, {"blocks", "[[0, 0, 7, 5, 4, 4]]"}}) {
+        auto note = nlohmann::json::parse(read_exr_note(folder_ / "a.exr"));
+        note[key] = nlohmann::json::parse(value);
+        write_exr(folder_ / "b.exr", layers, note.dump());
+        EXPECT_THAT(error_of(folder_ / "b.exr"), testing::HasSubstr("b.exr: its description is damaged")) << key;
+    }
 }
 
 }  // namespace

@@ -50,5 +50,12 @@ TEST(TraceScene, AnUpdatedSceneIsMetAsOneBuiltAnew) {
     }
 }
 
+TEST(TraceScene, DrawsThatAreOnePointMeetNoRay) {
+    SceneBuilder builder;
+    for (int i = 0; i < 2; ++i) builder.add({Shape::Kind::box, vec3(1.0f)}, glm::scale(mat4(1.0f), vec3(0.0f)), vec3(0.5f));
+    const TraceScene scene(builder.scene());
+    EXPECT_FALSE(scene.intersect({.origin = vec3(0, 0, 5), .direction = vec3(0, 0, -1)}));
+}
+
 }  // namespace
 }  // namespace sl
