@@ -120,6 +120,7 @@ void put_region(VoxelVolume& volume, std::string_view text) {
     const ivec3 low = words.numbers(-farthest_cell, farthest_cell, "a whole number");
     words.expect("size");
     const ivec3 size = words.numbers(1, farthest_cell, "a whole number");
+    if (glm::any(glm::greaterThan(low + size, ivec3(farthest_cell)))) words.wrong(fmt::format("a box that ends at {} at most", farthest_cell));
     if (too_large(size)) words.wrong(fmt::format("fewer blocks: {} at most", most_region_cells));
     words.expect("kinds");
     const std::vector<Block> kinds = kinds_of(words);
