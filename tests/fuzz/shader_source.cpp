@@ -14,7 +14,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
         rest.remove_prefix(std::min(rest.size(), file.size() + between.size()));
     }
     try {
-        const sl::gl::ShaderSource source = sl::gl::load_shader_source(files.path(), "a.glsl", {{"SIZE", "8"}});
+        const sl::gl::ShaderSource source = sl::gl::load_shader_source({files.path()}, "a.glsl", {{"SIZE", "8"}});
         (void)sl::gl::name_files_in_log(std::string(rest), source);
     } catch (const sl::Error&) {
         // Refused: that is an answer.

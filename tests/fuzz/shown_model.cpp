@@ -13,10 +13,13 @@
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static const sl::InputFolder files;
     const std::string_view text = sl::text_of(data, size);
+    const auto file = files.write(text.starts_with("VOX ") ? "model.vox" : "model.gltf", text);
     sl::App app;
     app.world.resource<sl::ModelLibrary>().at_once = true;
     try {
-        sl::show_model(app, files.write(text.starts_with("VOX ") ? "model.vox" : "model.gltf", text));
+        sl::add_model_scene(app, file);
+        app.schedule.run(app.world);
+        sl::complete_model_scene(app);
     } catch (const sl::Error&) {
         return 0;
     }
