@@ -44,7 +44,7 @@ class HostileModelTest : public ModelTest {
     void show_moved(const std::vector<float>& times) {
         const int input = add_accessor(times, 5126, "SCALAR", times.size(), {{"min", {0}}, {"max", {1}}});
         const int output = add_accessor(std::vector<float>(3 * times.size(), 1.0f), 5126, "VEC3", times.size());
-        json["nodes"] = {Json::object()};
+        json["nodes"] = Json::array({Json::object()});
         json["scenes"][0]["nodes"] = {0};
         json["animations"] = {{{"samplers", {{{"input", input}, {"output", output}}}},
                                {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "scale"}}}}}}}};

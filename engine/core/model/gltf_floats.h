@@ -2,16 +2,15 @@
 #pragma once
 
 #include <algorithm>
-#include <limits>
 
 #include "engine/core/gltf/gltf_value.h"
 
 namespace sl {
 
-/// Bounds for numbers of a file, which are double.
+/// Bounds for numbers of a file, which are double: squares of what lies within are floats too, and so are their sums.
 struct FloatRange {
-    float low = std::numeric_limits<float>::lowest();
-    float high = std::numeric_limits<float>::max();
+    float low = -1e18f;
+    float high = 1e18f;
 };
 
 inline float gltf_float(double value, FloatRange range = {}) {
