@@ -19,7 +19,7 @@ namespace {
 
 struct FlightFlags {
     std::string scene = "endless", size = "640x360", gi = "facets";
-    double speed = 10.0, seconds = 60.0, height = 30.0, from = 0.0, view_distance = TerrainView{}.distance;
+    double speed = 10.0, seconds = 60.0, height = 30.0, from = 0.0, view_distance = TerrainView{}.distance, least_rate = TerrainView{}.least_rate;
 };
 
 using Watch = std::chrono::steady_clock;
@@ -105,7 +105,7 @@ int run_flight(const GlobalFlags& global, const FlightFlags& flags) {
     Headless headless(global);
     BenchWindow window{.app = open_scene({.scene = flags.scene, .gi = flags.gi, .sets = {}}), .size = parse_size(flags.size)};
     World& world = window.app.world;
-    world.resource<TerrainView>() = {.distance = flags.view_distance, .at_once = false};
+    world.resource<TerrainView>() = {.distance = flags.view_distance, .least_rate = flags.least_rate, .at_once = false};
     auto& place = world.get<Transform>(active_camera(world));
     place.translation.x += flags.from;
     place.translation.y = flags.height;
@@ -147,6 +147,7 @@ void add_bench_flight_command(const Flags& bench, const GlobalFlags& global) {
     command.add("--seconds", flags->seconds, "How long to fly").within(1.0, 3600.0);
     command.add("--from", flags->from, "Where to begin, m along the way; every 1024 m all coordinates get another origin").within(-1e6, 1e6);
     command.add("--height", flags->height, "Of the camera, m").within(-1000.0, 1000.0);
+    command.add("--least-rate", flags->least_rate, "Frames per second below which land is shown less far; 0 shows all").within(0.0, 1000.0);
     command.add("--view-distance", flags->view_distance, "How far off land is made, m").within(32.0, 512.0);
     command.runs([&global, flags] { return run_flight(global, *flags); });
 }

@@ -36,6 +36,7 @@ void visit_fields(FieldVisitor& visit, PictureSettings& picture) {
     visit.field("scene_field_of_view", picture.scene_field_of_view, {.help = "Leaves the field of view as the scene has it."});
     visit.field("field_of_view", picture.field_of_view, {.min = 0.5236, .max = 2.0944, .unit = "rad", .help = "Vertical angle of view, where it is not the scene's; more shows more and makes things smaller.", .look = FieldLook::angle});
     visit.field("view_distance", picture.view_distance, {.min = 32, .max = 512, .unit = "m", .help = "How far off land is made and shown in worlds that go on without end; more costs memory and time.", .look = FieldLook::logarithmic});
+    visit.field("least_frame_rate", picture.least_frame_rate, {.min = 0, .max = 60, .unit = "Hz", .help = "While frames come more rarely, such land is shown less far, down to half the view distance; 0 always shows all."});
 }
 
 void visit_fields(FieldVisitor& visit, LightSettings& light) {

@@ -11,6 +11,7 @@
 #include "engine/ecs/parent.h"
 #include "engine/ecs/query.h"
 #include "game/settings/user_settings.h"
+#include "game/streaming/view_reach.h"
 #include "game/voxel/generators.h"
 
 namespace sl {
@@ -124,9 +125,15 @@ void build_in_background(World& world, const Section& section, TerrainStream& st
     }
 }
 
+/// How far off land is wanted after this frame, m.
 double view_distance(World& world) {
+    const auto& view = world.resource<TerrainView>();
     const auto* chosen = world.find_resource<UserSettings>();
-    return chosen != nullptr ? chosen->picture.view_distance : world.resource<TerrainView>().distance;
+    const double distance = chosen != nullptr ? chosen->picture.view_distance : view.distance;
+    if (view.at_once) return distance;
+    auto& reach = world.resource<ViewReach>();
+    reach.follow(world.resource<FrameClock>().step, chosen != nullptr ? chosen->picture.least_frame_rate : view.least_rate);
+    return reach.share() * distance;
 }
 
 }  // namespace
@@ -142,11 +149,13 @@ void stream_terrain(World& world) {
     if (!camera || !world.has<Transform>(camera)) return;
     std::vector<Entity> owners;
     for (auto [entity, stream, place] : Query<const TerrainStream, const Transform>(world)) owners.push_back(entity);
+    if (owners.empty()) return;
+    const double distance = view_distance(world);
     for (const Entity owner : owners) {
         auto& stream = world.get<TerrainStream>(owner);
         const float block_size = world.resource<VoxelVolumes>().at(stream.volume).block_size();
         const dvec3 cell = glm::floor(camera_position(world, camera, world.get<Transform>(owner)) / double{block_size});
-        const double blocks = view_distance(world) / block_size;
+        const double blocks = distance / block_size;
         const Section section{owner, column_of(ivec3(cell)), std::max(1, static_cast<int>(blocks / chunk_size)), block_size};
         if (stream.whole == std::pair(section.centre, section.radius)) continue;
         const bool at_once = world.resource<TerrainView>().at_once;
@@ -160,6 +169,7 @@ void stream_terrain(World& world) {
 
 void add_terrain_streaming(App& app) {
     app.world.add_resource(TerrainView{});
+    app.world.add_resource(ViewReach{});
     app.schedule.add(Stage::simulate, "stream_terrain", &stream_terrain);
 }
 
