@@ -10,16 +10,19 @@
 
 namespace sl {
 
+/// What a text may ask for.
 struct JsonBounds {
     int deepest;                                                        ///< levels of arrays and objects
     std::size_t most_memory = std::numeric_limits<std::size_t>::max();  ///< of the document, its texts apart, bytes
 };
 
+/// Why a text is no JSON, or not read.
 struct JsonFault {
     std::size_t byte;     ///< in the text
     std::string message;  ///< in one line
 };
 
+/// What was read of a text.
 struct JsonRead {
     nlohmann::json document;  ///< null where there is a fault
     std::optional<JsonFault> fault;

@@ -151,6 +151,7 @@ void stream_terrain(World& world) {
     for (auto [entity, stream, place] : Query<const TerrainStream, const Transform>(world)) owners.push_back(entity);
     if (owners.empty()) return;
     const double distance = view_distance(world);
+    world.add_resource(LandEdge{distance});
     for (const Entity owner : owners) {
         auto& stream = world.get<TerrainStream>(owner);
         const float block_size = world.resource<VoxelVolumes>().at(stream.volume).block_size();

@@ -8,6 +8,7 @@
 
 namespace sl {
 
+/// What a vertex attribute is, by its name ("TEXCOORD_1" is a texcoord); those that begin with _ are custom.
 enum class GltfAttributeKind : std::uint8_t { position, normal, tangent, texcoord, colour, joints, weights, custom };
 inline constexpr std::size_t gltf_attribute_kinds = 8;
 
@@ -20,6 +21,7 @@ struct GltfAttribute {
 /// Nothing for a name that means nothing, such as "TEXCOORD_01". Custom ones begin with '_'.
 std::optional<GltfAttribute> read_gltf_attribute(std::string_view name);
 
+/// Where an attribute stands, as far as that decides which formats it may have.
 struct GltfAttributeRules {
     bool is_target = false;     ///< of a morph target
     bool is_quantized = false;  ///< KHR_mesh_quantization allows more

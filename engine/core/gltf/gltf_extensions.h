@@ -17,6 +17,7 @@ struct GltfExtension {
 
 /// Extensions whose properties are known.
 std::span<const GltfExtension> gltf_extensions();
+/// Whether the checker knows what it may hold, which says nothing of who can show it.
 bool is_known_gltf_extension(std::string_view name);
 
 }  // namespace sl

@@ -10,8 +10,10 @@
 
 namespace sl {
 
+/// Type of one number of an accessor, by the number that stands for it in a file.
 enum class GltfComponent : std::uint16_t { int8 = 5120, uint8, int16, uint16, uint32 = 5125, float32 };
 
+/// Its size in a buffer.
 std::size_t gltf_component_bytes(GltfComponent component);
 
 /// What one element of an accessor is.
@@ -37,6 +39,7 @@ struct GltfFormat {
 /// "VEC3 of float32", "VEC4 of normalized uint8".
 std::string gltf_format_text(const GltfFormat& format);
 
+/// A buffer view: bytes in a row of one buffer.
 struct GltfView {
     std::size_t buffer = 0;
     std::size_t offset = 0;
@@ -55,6 +58,7 @@ struct GltfSparse {
     std::size_t value_offset = 0;
 };
 
+/// An accessor: elements of one format, in a view or sparse.
 struct GltfAccessor {
     GltfFormat format;
     std::size_t count = 0;
@@ -72,6 +76,7 @@ struct GltfLayout {
     std::vector<GltfAccessor> accessors;
 };
 
+/// Of a document whose structure has been checked.
 GltfLayout read_gltf_layout(const nlohmann::json& document);
 
 inline constexpr std::size_t gltf_vertex_target = 34962;

@@ -11,6 +11,7 @@ namespace sl {
 
 struct GltfObject;
 
+/// JSON type of a property; whole: a number without a fraction.
 enum class GltfKind : std::uint8_t { boolean, whole, number, text, object };
 
 /// What one property of an object may be. Made by the functions below, which read as a table.
@@ -68,12 +69,15 @@ struct GltfProperty {
     }
 };
 
+/// True or false.
 constexpr GltfProperty gltf_flag(std::string_view name) {
     return {name, GltfKind::boolean};
 }
+/// Any number.
 constexpr GltfProperty gltf_number(std::string_view name) {
     return {name, GltfKind::number};
 }
+/// Any text.
 constexpr GltfProperty gltf_text(std::string_view name) {
     return {name, GltfKind::text};
 }
@@ -81,22 +85,27 @@ constexpr GltfProperty gltf_text(std::string_view name) {
 constexpr GltfProperty gltf_whole(std::string_view name) {
     return GltfProperty{name, GltfKind::whole}.at_least(0);
 }
+/// A number of the array of the document that `target` names: "meshes".
 constexpr GltfProperty gltf_index(std::string_view name, std::string_view target) {
     return gltf_whole(name).with(&GltfProperty::target, target);
 }
+/// An object with properties of its own.
 constexpr GltfProperty gltf_object(std::string_view name, const GltfObject& object) {
     return {name, GltfKind::object, &object};
 }
 
+/// What an object of a file may hold.
 struct GltfObject {
     std::string_view name;
     std::vector<GltfProperty> properties;
     std::vector<std::string_view> one_of;  ///< exactly one of these is there; empty: no such rule
 };
 
+/// The whole file, and through its properties all that it may hold.
 const GltfObject& gltf_document();
 /// How a material's extensions refer to a texture.
 const GltfObject& gltf_texture_info();
+/// The same for normal textures, which have a scale.
 const GltfObject& gltf_normal_texture_info();
 
 }  // namespace sl

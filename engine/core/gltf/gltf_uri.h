@@ -9,6 +9,7 @@
 
 namespace sl {
 
+/// A URI of a file, taken apart.
 struct GltfUri {
     enum class Kind : std::uint8_t {
         invalid,
@@ -22,6 +23,7 @@ struct GltfUri {
     std::string path;             ///< of relative ones, "%20" replaced by a space
 };
 
+/// Decodes percent signs, and the bytes of data.
 GltfUri read_gltf_uri(std::string_view text);
 
 }  // namespace sl

@@ -8,6 +8,7 @@
 
 namespace sl {
 
+/// What the accessors that lie in a buffer view are.
 enum class GltfViewUse : std::uint8_t { none, vertices, indices, other };
 
 /// Tells where a buffer view serves in two ways that exclude each other.

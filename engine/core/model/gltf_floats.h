@@ -13,6 +13,7 @@ struct FloatRange {
     float high = 1e18f;
 };
 
+/// The nearest float within the range.
 inline float gltf_float(double value, FloatRange range = {}) {
     return static_cast<float>(std::clamp(value, double{range.low}, double{range.high}));
 }

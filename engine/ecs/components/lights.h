@@ -49,6 +49,11 @@ struct SkyLight {
     float visibility = 0.0f;
 };
 
+/// How far from the camera the land ends that a game keeps round it, m; a resource. Air that is hazy at all hides that edge.
+struct LandEdge {
+    double distance = 0.0;
+};
+
 inline constexpr FieldInfo light_colour_info{.min = 0, .max = 1, .unit = "linear Rec. 709",
                                              .help = "Colour of the light; intensity is set apart.",
                                              .look = FieldLook::colour};

@@ -25,6 +25,13 @@ vec3 relative(const WorldTransform& transform, const dvec3& origin) { return vec
 /// 1/m, of air through which 2 % of a contrast are left at that distance, m (Koschmieder 1924).
 float extinction_of(float visibility) { return 3.912f / visibility; }
 
+/// Over the distance of the land's edge, at most: there a seventh of the contrast with the sky is left.
+constexpr double visibility_over_edge = 2.0;
+
+float visibility_of(const SkyLight& sky, const LandEdge* edge) {
+    return edge == nullptr ? sky.visibility : std::min(sky.visibility, static_cast<float>(visibility_over_edge * edge->distance));
+}
+
 vec3 forward_of(const WorldTransform& transform) { return glm::normalize(transform.linear * vec3(0, 0, -1)); }
 
 /// m: beyond it, squares of lengths are no numbers. What a file places there, or nowhere, is left out.
@@ -166,7 +173,7 @@ void extract_lights(World& world, RenderScene& scene) {
     scene.extinction = 0.0f;
     for (auto [entity, sky] : Query<const SkyLight>(world)) {
         scene.sky_radiance += sky.colour * sky.luminance;
-        if (sky.visibility > 0.0f) scene.extinction += extinction_of(sky.visibility);
+        if (const float visibility = visibility_of(sky, world.find_resource<LandEdge>()); visibility > 0.0f) scene.extinction += extinction_of(visibility);
     }
 }
 
