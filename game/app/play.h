@@ -16,6 +16,8 @@
 
 namespace sl {
 
+inline constexpr const char* unsaved_changes = "The scene has changes that no file holds: save them (F1, Scene), or ask once more to leave them.";
+
 struct PlaySettings {
     SceneChoice scene;
     std::filesystem::path world;  ///< where changes are kept; empty: nowhere
@@ -53,7 +55,7 @@ class Play {
     /// Throws Error where it cannot be opened and there is nothing else to show.
     void go_on_opening();
     void log_model_faults();
-    /// Whether what the panel changed may be lost: kept in a file, or asked for twice.
+    /// Whether what the panel changed may be lost: a file holds it, or the same was wished twice within a few seconds.
     bool may_leave(const std::string& wish);
     /// Throws Error, and leaves the old world as it is where the new one cannot be opened.
     void change_world(const WorldChoice& choice);
@@ -90,7 +92,8 @@ class Play {
     std::optional<Opening> opening_;
     std::vector<std::string> model_faults_;  ///< that the log knows
     bool placeholder_ = false;  ///< what is shown only stands for what is being opened
-    std::string asked_;         ///< for what may_leave was asked last
+    std::string asked_;         ///< for what may_leave was asked last, and when
+    Clock::time_point asked_at_{};
     RenderScene scene_;
     Renderer::Result result_;
     uvec2 picture_size_{0};

@@ -45,7 +45,7 @@ void Play::show_menu() {
     const bool was_open = menu_.is_open();
     const MenuWish wish = draw_menu(menu_, user_.values(), world_file(app_));
     if (wish.quit) window_.request_close();
-    if (wish.world) choose_world(*wish.world);
+    if (wish.world) may_leave(wish.world->path.string()) ? choose_world(*wish.world) : void(menu_.problem = unsaved_changes);
     if (!menu_.is_open() && was_open) give_mouse_back();
 }
 

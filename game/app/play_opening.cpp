@@ -11,7 +11,7 @@ namespace sl {
 
 namespace {
 
-constexpr double seconds_to_read = 6.0;
+constexpr double seconds_to_read = 6.0, seconds_to_answer = 10.0;
 
 bool is_scene(const std::filesystem::path& file) { return file.extension() == ".json"; }
 
@@ -80,10 +80,14 @@ void Play::log_model_faults() {
 }
 
 bool Play::may_leave(const std::string& wish) {
-    if (editor_.history.saved() || wish == std::exchange(asked_, wish)) return true;
+    if (editor_.history.saved()) return true;
+    // Later it is another question: more may have been changed since.
+    const auto now = Clock::now();
+    const std::chrono::duration<double> passed = now - std::exchange(asked_at_, now);
+    if (wish == std::exchange(asked_, wish) && passed.count() < seconds_to_answer) return true;
     window_.stay_open();
     log::warn("there are changes that no file holds; nothing was left");
-    app_.world.resource<Notice>().say("The scene has changes that no file holds: save them (F1, Scene), or ask once more to leave them.", seconds_to_read);
+    app_.world.resource<Notice>().say(unsaved_changes, seconds_to_answer);
     return false;
 }
 

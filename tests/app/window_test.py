@@ -3,14 +3,13 @@
 
 window_test.py PROGRAM FOLDER: screenshots and logs stay in FOLDER. Exits with 77 where a tool is missing.
 """
-import base64
 import json
 import pathlib
 import shutil
-import struct
 import sys
 import time
 
+from square_model import square_model
 from window_driver import PATIENCE, TOOLS, Game, Screen, brightness, check, difference, redness, run, size_of
 
 
@@ -341,21 +340,6 @@ def refuse(screen, program):
     check(done.returncode == 1 and "tour" in done.stderr, f"without a display play says what to do ({done.stderr.strip()})")
     done = run(program, "--context", "egl", "play", env=screen.env)
     check(done.returncode == 1 and "window" in done.stderr, f"nor does it open without one ({done.stderr.strip()})")
-
-
-def square_model(path, colour):
-    """A glTF file that shows a square, 2 m wide, facing +z, in one colour."""
-    corners = struct.pack("<12f", -1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0)
-    data = corners + struct.pack("<6H", 0, 1, 2, 0, 2, 3)
-    path.write_text(json.dumps({
-        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
-        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "material": 0}]}],
-        "materials": [{"pbrMetallicRoughness": {"baseColorFactor": [*colour, 1], "metallicFactor": 0}}],
-        "buffers": [{"byteLength": len(data), "uri": "data:application/octet-stream;base64," + base64.b64encode(data).decode()}],
-        "bufferViews": [{"buffer": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 12}],
-        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3", "min": [-1, -1, 0], "max": [1, 1, 0]},
-                      {"bufferView": 1, "componentType": 5123, "count": 6, "type": "SCALAR"}]}))
-    return path
 
 
 def open_files(screen, program, folder):
