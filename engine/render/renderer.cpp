@@ -17,13 +17,16 @@ Renderer::Result Renderer::render(const RenderScene& given, const Request& reque
     Result result;
     graph_ = FrameGraph(states_);
     steps_.clear();
+    times_.begin();
     if (!given.view) return result;
     CHECK(request.width > 0 && request.height > 0, "a frame of {}x{}", request.width, request.height);
 
     const RenderScene& scene = suns_.hold(given, request.slice_budget == ~0u);
     LightTable lights = build_light_table(scene);
     suns_.add_next_layers(lights);
+    times_.done("suns");
     const SceneInputs inputs = gpu_scene_.upload(graph_, scene, lights);
+    times_.done("upload");
     const FrameInput frame{.graph = graph_,
                            .scene = scene,
                            .lights = lights,
@@ -37,6 +40,7 @@ Renderer::Result Renderer::render(const RenderScene& given, const Request& reque
                            .seconds = request.seconds,
                            .time = request.time};
     images_ = build_frame(frame, passes_);
+    times_.done("build");
     result.images = images_;
     graph_.want(result.images.final);
     if (request.want_irradiance) graph_.want(result.images.irradiance);
@@ -49,13 +53,16 @@ Renderer::Result Renderer::render(const RenderScene& given, const Request& reque
         if (const ImageId image = graph_.find_image(name)) graph_.want(image);
     }
     steps_ = graph_.compile();
+    times_.done("compile");
     executor_.run(graph_, steps_, request.on_step);
+    times_.done("run");
     result.drawn = true;
     if (result.images.next_suns_are_drawn) suns_.next_is_drawn();
 
     const DrawList drawn = inputs.list_facing(visible_draws(scene, frame.params.clip_from_world), vec4(vec3(frame.params.camera_position), 1.0f));
     for (const DrawCall& call : *drawn) result.triangles_drawn += call.index_count / 3;
     result.triangles_culled = inputs.triangles - result.triangles_drawn;
+    times_.done("count");
     return result;
 }
 

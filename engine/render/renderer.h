@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/core/image.h"
+#include "engine/core/work_times.h"
 #include "engine/render/data_folder.h"
 #include "engine/render/execute.h"
 #include "engine/render/frame.h"
@@ -68,6 +69,8 @@ class Renderer {
     Executor& executor() { return executor_; }
     /// What the method `facets` keeps on surfaces; empty while another one runs that never did.
     const FacetCache& facets() const { return facets_.cache; }
+    /// What the last frame cost the processor beside its systems; passes that it draws itself count here and as passes.
+    const WorkTimes& times() const { return times_; }
     /// Bytes of meshes and textures on the GPU.
     std::uint64_t gpu_bytes() const { return gpu_scene_.mesh_bytes() + executor_.texture_bytes(); }
 
@@ -81,6 +84,7 @@ class Renderer {
     FacetLight facets_;
     SunSteps suns_;
     std::vector<PicturePass> passes_;
+    WorkTimes times_;
 };
 
 /// Names of all images that a graph makes, for messages and lists.

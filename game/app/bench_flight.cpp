@@ -48,6 +48,8 @@ std::map<std::string, double> parts_of(BenchWindow& window, double milliseconds)
         parts[pass.name] += pass.milliseconds;
         known += pass.milliseconds;
     }
+    for (const WorkTimes::Part& part : window.renderer.times().parts()) parts[fmt::format("renderer {}", part.name)] = part.milliseconds;
+    for (const WorkTimes::Part& part : window.renderer.facets().times().parts()) parts[fmt::format("facets {}", part.name)] = part.milliseconds;
     parts["the rest"] = milliseconds - known;
     return parts;
 }
@@ -55,50 +57,59 @@ std::map<std::string, double> parts_of(BenchWindow& window, double milliseconds)
 /// Where the time of all frames went, and that of the frames that a player notices.
 class FrameParts {
   public:
-    void add(double milliseconds, std::map<std::string, double> parts) {
-        ++frames_;
+    void add(double milliseconds, const std::map<std::string, double>& parts) {
+        Frame& frame = frames_.emplace_back(Frame{.milliseconds = milliseconds});
         for (const auto& [name, part] : parts) {
-            Total& total = totals_[name];
-            total.milliseconds += part;
-            ++total.frames;
+            const std::size_t row = rows_.try_emplace(name, rows_.size()).first->second;
+            if (frame.parts.size() <= row) frame.parts.resize(row + 1, absent);
+            frame.parts[row] = static_cast<float>(part);
         }
-        // The first waits for all that is near.
-        if (milliseconds > noticed && frames_ > 1) long_.push_back({frames_, milliseconds, std::move(parts)});
     }
     /// Each long frame with what took longer in it than it does on average.
     void print_long() const {
-        fmt::print("\nover {:.0f} ms: {}\n", noticed, long_.empty() ? "none" : "");
-        for (const LongFrame& frame : long_) {
+        fmt::print("\nover {:.0f} ms:", noticed);
+        bool any = false;
+        // The first waits for all that is near.
+        for (std::size_t number = 1; number < frames_.size(); ++number) {
+            if (frames_[number].milliseconds <= noticed) continue;
             std::vector<std::pair<double, std::string>> more;
-            for (const auto& [name, part] : frame.parts) more.emplace_back(part - mean(name), name);
+            for (const auto& [name, row] : rows_) more.emplace_back(frames_[number].at(row) - mean(row, frames_), name);
             std::ranges::sort(more, std::greater{});
-            std::string list;
-            for (const auto& [excess, name] : more | std::views::take(4)) list += fmt::format("{}{} +{:.0f}", list.empty() ? "" : ", ", name, excess);
-            fmt::print("frame {}: {:.0f} ms; over the mean: {}\n", frame.number, frame.milliseconds, list);
+            fmt::print("\nframe {}: {:.0f} ms; over the mean:", number + 1, frames_[number].milliseconds);
+            for (const auto& [excess, name] : more | std::views::take(4)) fmt::print(" {} +{:.0f}", name, excess);
+            any = true;
         }
+        fmt::print("{}\n", any ? "" : " none");
     }
     void print() const {
-        fmt::print("\n{:<32}{:>16}{:>16}\n", "part", "ms per frame", "% of frames");
-        for (const auto& [name, total] : totals_) {
-            if (mean(name) >= 0.01) fmt::print("{:<32}{:>16.2f}{:>16.1f}\n", name, mean(name), 100.0 * total.frames / static_cast<double>(frames_));
+        std::vector<Frame> slowest = frames_;
+        std::ranges::sort(slowest, std::greater{}, &Frame::milliseconds);
+        slowest.resize((slowest.size() + 99) / 100);
+        fmt::print("\n{:<32}{:>16}{:>16}{:>24}\n", "part", "ms per frame", "% of frames", "ms in the slowest 1 %");
+        for (const auto& [name, row] : rows_) {
+            const auto there = static_cast<double>(std::ranges::count_if(frames_, [&](const Frame& frame) { return row < frame.parts.size() && frame.parts[row] != absent; }));
+            const double usual = mean(row, frames_), slow = mean(row, slowest);
+            if (std::max(usual, slow) >= 0.01) fmt::print("{:<32}{:>16.2f}{:>16.1f}{:>24.2f}\n", name, usual, 100.0 * there / static_cast<double>(frames_.size()), slow);
         }
     }
 
   private:
     static constexpr double noticed = 250.0;
-    struct Total {
-        double milliseconds = 0.0, frames = 0.0;
-    };
-    struct LongFrame {
-        std::size_t number;
+    static constexpr float absent = -1.0f;
+    struct Frame {
         double milliseconds;
-        std::map<std::string, double> parts;
-    };
-    double mean(const std::string& name) const { return totals_.at(name).milliseconds / static_cast<double>(frames_); }
+        std::vector<float> parts{};  ///< by their rows
 
-    std::map<std::string, Total> totals_;
-    std::vector<LongFrame> long_;
-    std::size_t frames_ = 0;
+        double at(std::size_t row) const { return row < parts.size() && parts[row] != absent ? static_cast<double>(parts[row]) : 0.0; }
+    };
+    static double mean(std::size_t row, const std::vector<Frame>& frames) {
+        double sum = 0.0;
+        for (const Frame& frame : frames) sum += frame.at(row);
+        return sum / static_cast<double>(frames.size());
+    }
+
+    std::map<std::string, std::size_t> rows_;
+    std::vector<Frame> frames_;
 };
 
 int run_flight(const GlobalFlags& global, const FlightFlags& flags) {

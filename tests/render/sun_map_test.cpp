@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace sl {
 namespace {
 
@@ -41,6 +43,22 @@ TEST(SunMap, AChangeIsDrawnWhereItIsAlone) {
     const std::size_t changed = differing(before, layers_of(scene));
     EXPECT_GE(changed, 1u);
     EXPECT_LE(changed, 4u);
+}
+
+TEST(SunMap, WhatIsEditedNearByIsDrawnAtOnceAndWhatCameByItselfMayWait) {
+    RenderScene scene = field_of_cubes();
+    EXPECT_TRUE(std::ranges::all_of(layers_of(scene), &ShadowLayer::may_wait));
+    // The camera stands at the field's middle.
+    scene.draws[20 * 40 + 20].changed = {vec3(1), vec3(2)};
+    const auto urgent = static_cast<std::size_t>(std::ranges::count(layers_of(scene), false, &ShadowLayer::may_wait));
+    const auto before = layers_of(scene);
+    scene.draws[20 * 40 + 20].content += 1;
+    EXPECT_EQ(urgent, differing(before, layers_of(scene)));
+    EXPECT_GE(urgent, 1u);
+    // Of an edit at the field's end nobody sees the shadow.
+    scene = field_of_cubes();
+    scene.draws.front().changed = {vec3(-160, 0, -160), vec3(-159, 1, -159)};
+    EXPECT_TRUE(std::ranges::all_of(layers_of(scene), &ShadowLayer::may_wait));
 }
 
 TEST(SunMap, ASquareThatMovesByATileKeepsTheOthers) {

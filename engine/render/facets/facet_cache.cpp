@@ -21,14 +21,21 @@ double longer_in_the_dark(float dark) {
     return glm::mix(1.0, dark_frames_take, static_cast<double>(part));
 }
 
+/// Of a frame's time, what light gets even where surfaces that came took all of it.
+constexpr double least_work = 0.5;
+
 /// Looks, each at every other square, that together meet all that a moving camera sees.
 constexpr std::uint32_t looks_that_see_all = 2;
 
 }  // namespace
 
 float FacetCache::update(const RenderScene& scene, const FrameParams& frame, const Facets& settings, const Budget& budget) {
-    follow_changes(scene, frame, settings, budget.seconds > 0.0);
+    times_.begin();
+    Deadline deadline(budget.seconds);
+    const Followed followed = follow_changes(scene, frame, settings, budget.seconds > 0.0);
+    times_.done("follow changes");
     if (memory_ > std::max(most_memory_, budget.memory)) forget_unseen();
+    times_.done("forget unseen");
     if (std::memcmp(&seen_.clip_from_world, &frame.clip_from_world, sizeof(mat4)) != 0 || seen_.ray_up.w != frame.ray_up.w || seen_.ray_right.w != frame.ray_right.w ||
         spacing_ != settings.spacing) {
         looks_ = 0;
@@ -37,12 +44,17 @@ float FacetCache::update(const RenderScene& scene, const FrameParams& frame, con
     other_spacing_ = spacing_ != settings.spacing;
     seen_ = frame;
     spacing_ = settings.spacing;
+    if (followed == Followed::at_once) deadline = Deadline(budget.seconds);
     do {
-        Deadline deadline(budget.seconds);
+        deadline.leave(least_work * budget.seconds);
         const float fresh = look_around(frame, settings, deadline);
-        deadline.extend(longer_in_the_dark(std::max(fresh, dark_share())));
+        times_.done("look");
+        // Not in a frame that took surfaces in as well: the next ones have the time.
+        if (followed != Followed::in_passing) deadline.extend(longer_in_the_dark(std::max(fresh, dark_share())));
+        deadline.leave(least_work * budget.seconds);
         work(settings, deadline);
         split_where_needed();
+        times_.done("split");
     } while (budget.seconds <= 0.0 && share_known() < 1.0f);
     // After a change of surfaces the old light stays until each place has some of the new: a picture that is late by some
     // frames, and not one that falls dark.
@@ -52,6 +64,7 @@ float FacetCache::update(const RenderScene& scene, const FrameParams& frame, con
         fill_table();
         table_is_old_ = false;
         ++version_;
+        times_.done("table");
     }
     return share_known();
 }

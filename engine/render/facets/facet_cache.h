@@ -4,6 +4,7 @@
 #include <memory>
 #include <unordered_map>
 
+#include "engine/core/work_times.h"
 #include "engine/ecs/components/gi_settings.h"
 #include "engine/render/facets/deadline.h"
 #include "engine/render/facets/facet_corner.h"
@@ -46,6 +47,8 @@ class FacetCache {
     std::size_t memory() const { return memory_; }
     /// The facets from which pixels take their light, nearest to a place first. Costs a look at all of them.
     std::vector<FacetOutline> outlines_near(vec3 place, std::size_t most) const;
+    /// What the last update did.
+    const WorkTimes& times() const { return times_; }
     /// Counts up when the table changes.
     std::uint64_t version() const { return version_; }
 
@@ -85,8 +88,17 @@ class FacetCache {
         std::uint32_t seen = 0;  ///< the last look that met it; of one that was not split from another
     };
 
+    /// How much of a frame's time changes of the scene are worth.
+    enum class Followed {
+        nothing,
+        in_passing,  ///< surfaces came or went by themselves, as land does: what is left of the time is for light
+        at_once      ///< somebody waits to see it
+    };
     /// `may_wait`: what hardly shows need not be followed at once.
-    void follow_changes(const RenderScene& scene, const FrameParams& frame, const Facets& settings, bool may_wait);
+    Followed follow_changes(const RenderScene& scene, const FrameParams& frame, const Facets& settings, bool may_wait);
+    Followed follow_surfaces(const RenderScene& scene, const FrameParams& frame, const Facets& settings, bool may_wait);
+    void follow_lights(const RenderScene& scene);
+    void follow_settings(const Facets& settings);
     void start_anew(const RenderScene& scene);
     /// All positions change by `offset`, m: the scene's origin is another one. Lights that only rounding tells from these are
     /// these. False, and nothing is changed, where the lattice of facets would be another one.
@@ -102,14 +114,18 @@ class FacetCache {
     void mend(const Deadline& deadline);
     void look_again_at_splits();
     void forget_unseen();
+    /// A little of what `Patches::bury` needs, or all.
+    void bury_some(bool all);
     /// Of all corners that are there.
     std::vector<const GatherPoint*> gather_points() const;
     void forget_empty_groups();
     void distrust_guide(std::uint32_t group);
     /// Returns what the last look returned, 0 where there was none.
     float look_around(const FrameParams& frame, const Facets& settings, const Deadline& deadline);
-    /// All looks, at what boxes cover.
-    void look_at(const FrameParams& frame, const Facets& settings, const std::vector<Bounds>& where);
+    /// The first looks, at what boxes cover.
+    void look_at(const FrameParams& frame, const Facets& settings, const std::vector<Bounds>& where, std::uint32_t looks);
+    /// After so many, all that a still camera sees has been met.
+    static std::uint32_t all_looks(const Facets& settings);
     /// Rays of the camera through one pixel of each square of the picture.
     struct Look {
         std::uint32_t number = 0;  ///< which pixel of each square
@@ -157,11 +173,13 @@ class FacetCache {
     SurfaceChanges changes_;       ///< since those that are traced
     std::uint32_t waited_ = 0;  ///< frames, that changes of surfaces were not followed
     std::vector<RenderScene::Light> lights_;
+    bool lights_wait_ = false;  ///< they are those of a frame ago
     bool renewing_ = false;  ///< the table still holds light from before a change
 
     std::unordered_map<FacetName, Facet> facets_;
     std::unordered_map<FacetName, std::uint32_t> shared_corners_;
     std::deque<Corner> corners_;
+    std::size_t buried_ = 0;                   ///< corners whose links were looked at for the patches' burying
     std::vector<std::uint32_t> released_;      ///< corners that are gone, though lists may hold them
     std::vector<std::uint32_t> free_corners_;  ///< places where corners were
     std::unordered_map<FacetName, std::uint32_t> group_of_cell_;
@@ -194,6 +212,7 @@ class FacetCache {
     std::uint32_t view_began_ = 0;  ///< the last of all looks before the camera came to where it is
     bool other_spacing_ = false;  ///< than in the last frame
     FrameParams seen_{};
+    WorkTimes times_;
     float spacing_ = 0.0f, noise_ = 0.0f;  ///< settings of the last frame
     std::uint32_t bounces_ = 0;
 };

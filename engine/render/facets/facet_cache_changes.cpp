@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "engine/render/facets/facet_cache.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -13,12 +15,18 @@ namespace sl {
 
 namespace {
 
-/// Of all surfaces, judged by the boxes round them: where more have changed, nothing is worth keeping.
-constexpr float most_changed = 0.5f;
+/// Of the surfaces that were there, judged by the boxes round them: where more went, or so many times as much came, nothing
+/// is worth keeping.
+constexpr float most_lost = 0.5f, most_came = 2.0f;
 /// Changes elsewhere in one frame that are followed as such, and corners that follow in order of what they see of them.
 constexpr std::size_t most_boxes = 64, most_urgent = 4096;
 /// How many frames changes that hardly show wait for others: following many costs little more than following one.
 constexpr std::uint32_t frames_to_wait = 8;
+/// Looks at what came of itself: one meets nearly all of it, and a camera that moves looks again in the next frame.
+constexpr std::uint32_t looks_in_passing = 4;
+
+/// Points whose links are looked at in a frame, so that places of patches that are gone can be taken.
+constexpr std::size_t points_at_once = 4096;
 
 /// m: what a move of the origin changes a position by beyond itself, and how far it goes before nothing worth keeping is left.
 constexpr float rounding = 1e-3f, farthest_move = 1e5f;
@@ -27,45 +35,32 @@ constexpr float rounding = 1e-3f, farthest_move = 1e5f;
 constexpr std::uint32_t looks_kept = 600;
 constexpr float worth_forgetting = 0.25f;
 
-float surface(const std::vector<Bounds>& boxes) {
-    return std::transform_reduce(boxes.begin(), boxes.end(), 0.0f, std::plus(), &half_surface);
-}
 float surface(const std::vector<RenderScene::Draw>& draws) {
     return std::transform_reduce(draws.begin(), draws.end(), 0.0f, std::plus(), [](const RenderScene::Draw& draw) { return half_surface(draw.bounds); });
 }
 
 }  // namespace
 
-void FacetCache::follow_changes(const RenderScene& scene, const FrameParams& frame, const Facets& settings, bool may_wait) {
-    const std::uint64_t surfaces = scene.geometry_hash();
+FacetCache::Followed FacetCache::follow_changes(const RenderScene& scene, const FrameParams& frame, const Facets& settings, bool may_wait) {
     const vec3 offset(std::exchange(origin_, scene.origin) - scene.origin);
     const bool same_materials = std::exchange(materials_, scene.materials_hash) == scene.materials_hash;
+    Followed followed = Followed::nothing;
     if (!world_ || !same_materials || !move(offset, scene.lights)) {
         start_anew(scene);
+        followed = Followed::at_once;
     } else {
-        if (surfaces != surfaces_) {
-            std::vector<Bounds> boxes, showing;
-            for (const SurfaceChanges::Change& change : changes_.since_last_look(scene)) {
-                boxes.push_back(change.box);
-                if (!may_wait || change.edited || !hardly_shows(change.box, vec3(frame.camera_position))) showing.push_back(change.box);
-            }
-            waited_ = showing.empty() && waited_ < frames_to_wait ? waited_ + 1 : 0;
-            if (waited_ == 0 && surface(boxes) > most_changed * surface(scene.draws)) {
-                start_anew(scene);
-            } else if (waited_ == 0 && !boxes.empty()) {
-                std::vector<Bounds> holes = change_surfaces(scene, merged_boxes(boxes, most_boxes));
-                // There must be none that show. Others are found in time, also by a camera that stands still.
-                std::erase_if(holes, [&](const Bounds& hole) { return std::ranges::none_of(showing, [&](const Bounds& box) { return box.touches(hole); }); });
-                if (!holes.empty()) look_at(frame, settings, holes);
-                looks_ = 0;
-            }
-        } else {
-            waited_ = 0;
-        }
-        if (lights_ != scene.lights || world_->sky != scene.sky_radiance) change_lights(scene);
+        followed = follow_surfaces(scene, frame, settings, may_wait);
+        // A frame has time for one of both, but who edits sees all of it at once.
+        const bool may_be_late = may_wait && followed == Followed::in_passing && !lights_wait_;
+        lights_wait_ = (lights_ != scene.lights || world_->sky != scene.sky_radiance) && may_be_late;
+        if (!lights_wait_) follow_lights(scene);
+        bury_some(!may_wait);
     }
-    if ((waited_ == 0 && std::exchange(surfaces_, surfaces) != surfaces) || changes_.empty()) changes_.look_at(scene);
-    lights_ = scene.lights;
+    follow_settings(settings);
+    return followed;
+}
+
+void FacetCache::follow_settings(const Facets& settings) {
     if (settings.noise < noise_) {
         for (std::uint32_t i = 0; i < corners_.size(); ++i) {
             if (!corners_[i].gone && std::exchange(corners_[i].done, false)) unfinished_.push_back(i);
@@ -78,6 +73,47 @@ void FacetCache::follow_changes(const RenderScene& scene, const FrameParams& fra
         light_moves();
     }
     bounces_ = settings.bounces;
+}
+
+FacetCache::Followed FacetCache::follow_surfaces(const RenderScene& scene, const FrameParams& frame, const Facets& settings, bool may_wait) {
+    const std::uint64_t surfaces = scene.geometry_hash();
+    if (surfaces == surfaces_) {
+        waited_ = 0;
+        return Followed::nothing;
+    }
+    bool edited = !may_wait;
+    std::vector<Bounds> boxes, showing;
+    float came = 0.0f, lost = 0.0f;
+    for (const SurfaceChanges::Change& change : changes_.since_last_look(scene)) {
+        boxes.push_back(change.box);
+        (change.came ? came : lost) += half_surface(change.box);
+        edited |= change.edited;
+        if (!may_wait || change.edited || !hardly_shows(change.box, vec3(frame.camera_position))) showing.push_back(change.box);
+    }
+    waited_ = showing.empty() && waited_ < frames_to_wait ? waited_ + 1 : 0;
+    if (waited_ > 0) return Followed::nothing;
+    const float stays = surface(scene.draws) - came;
+    if (lost > most_lost * (stays + lost) || came > most_came * (stays + lost)) {
+        start_anew(scene);
+        return Followed::at_once;
+    }
+    surfaces_ = surfaces;
+    if (boxes.empty()) {
+        changes_.look_at(scene);
+        return Followed::nothing;
+    }
+    std::vector<Bounds> holes = change_surfaces(scene, merged_boxes(boxes, most_boxes));
+    changes_.look_at(scene);
+    // There must be none that show. Others are found in time, also by a camera that stands still.
+    std::erase_if(holes, [&](const Bounds& hole) { return std::ranges::none_of(showing, [&](const Bounds& box) { return box.touches(hole); }); });
+    if (!holes.empty()) look_at(frame, settings, holes, edited ? all_looks(settings) : looks_in_passing);
+    looks_ = 0;
+    return edited ? Followed::at_once : Followed::in_passing;
+}
+
+void FacetCache::follow_lights(const RenderScene& scene) {
+    if (lights_ != scene.lights || world_->sky != scene.sky_radiance) change_lights(scene);
+    lights_ = scene.lights;
 }
 
 bool FacetCache::move(vec3 offset, const std::vector<RenderScene::Light>& lights) {
@@ -132,6 +168,9 @@ void FacetCache::start_anew(const RenderScene& scene) {
     world_ = std::make_unique<TransportWorld>(scene, TransportSettings{});
     patches_ = std::make_unique<Patches>(*world_);
     lights_ = scene.lights;
+    lights_wait_ = false;
+    surfaces_ = scene.geometry_hash();
+    changes_.look_at(scene);
     facets_.clear();
     shared_corners_.clear();
     corners_.clear();
@@ -161,7 +200,6 @@ std::vector<Bounds> FacetCache::change_surfaces(const RenderScene& scene, const 
     // Lights are another change.
     world_->resurface(scene);
     patches_->change(boxes);
-    if (patches_->many_gone()) patches_->bury_gone(gather_points());
     const auto now = world_->emitters.balls();
     std::vector<Emitters::Ball> glowing;
     std::ranges::copy_if(before, std::back_inserter(glowing), [&](const auto& ball) { return std::ranges::find(now, ball) == now.end(); });
@@ -283,6 +321,24 @@ void FacetCache::forget_unseen() {
     // Twice as much: so rarely that all of this costs little of what has come since.
     most_memory_ = 2 * memory_;
     table_is_old_ = shown_are_old_ = true;
+}
+
+void FacetCache::bury_some(bool all) {
+    if (!patches_->burying()) {
+        if (!patches_->many_gone()) return;
+        patches_->begin_burying();
+        buried_ = 0;
+    }
+    bool more = true;
+    for (bool first = true; more && (first || all); first = false) {
+        if (buried_ == corners_.size()) {
+            more = patches_->bury(points_at_once);
+            continue;
+        }
+        const std::size_t last = std::min(buried_ + points_at_once, corners_.size());
+        tbb::parallel_for(buried_, last, [&](std::size_t corner) { patches_->keep_linked(corners_[corner].at); });
+        buried_ = last;
+    }
 }
 
 std::vector<const GatherPoint*> FacetCache::gather_points() const {

@@ -39,25 +39,33 @@ bool goes_on_for_ever(const Facets& settings) { return settings.bounces >= 64; }
 void FacetCache::work(const Facets& settings, const Deadline& deadline) {
     // What is missing goes before what is wrong, and that before what is rough.
     link_corners(settings, put_urgent_first(), first_links, 0.6, deadline);
+    times_.done("first links");
     while (patches_->renewing() && !deadline.passed(0.7)) {
         patches_->renew(patches_at_once);
         light_moves();
     }
+    times_.done("renew");
     mend(deadline);
     while (unmended_.empty() && !patches_->renewing() && !deadline.passed(0.6) && patches_->mend(patches_at_once)) light_moves();
+    times_.done("mend");
     // Further bounces are more than what is still rough of the first.
     while (!deadline.passed(0.8) && patches_->grow(patches_at_once)) {
         while (patches_->dark()) patches_->renew(patches_at_once);
         light_moves();
     }
     while (!deadline.passed(0.8) && patches_->renew(patches_at_once)) light_moves();
+    times_.done("grow");
     reflect(settings, deadline);
+    times_.done("reflect");
     gather(settings, deadline);
+    times_.done("gather");
     guide_corners();
     improve_guides(settings);
     put_urgent_first();
+    times_.done("guide");
     link_corners(settings, unfinished_.size(), most_links(settings), 1.0, deadline);
     if (unfinished_.empty() && !reflecting_ && !patches_->mending() && to_gather_ == 0) look_for_other_lights(deadline);
+    times_.done("links");
 }
 
 std::size_t FacetCache::put_urgent_first() {

@@ -111,9 +111,8 @@ float facet_side_over_distance(const FrameParams& frame, const Facets& settings)
 }
 
 float FacetCache::look_around(const FrameParams& frame, const Facets& settings, const Deadline& deadline) {
-    // After so many, all that a still camera sees has been met. One that moves meets little that is new, and looks again in
-    // the next frame; unless it is somewhere else altogether.
-    const std::uint32_t all = looks_per_side(settings) * looks_per_side(settings);
+    // A camera that moves meets little that is new, and looks again in the next frame; unless it is somewhere else altogether.
+    const std::uint32_t all = all_looks(settings);
     std::uint32_t most = looks_ == 0 ? 1 : looks_at_once;
     // The few rays of a small picture may all miss what is there, and tell nothing of whether more would meet it.
     const vec2 squares = glm::ceil(vec2(frame.ray_right.w, frame.ray_up.w) / std::max(settings.spacing, 1.0f));
@@ -130,8 +129,10 @@ float FacetCache::look_around(const FrameParams& frame, const Facets& settings, 
     return fresh;
 }
 
-void FacetCache::look_at(const FrameParams& frame, const Facets& settings, const std::vector<Bounds>& where) {
-    for (std::uint32_t i = 0; i < looks_per_side(settings) * looks_per_side(settings); ++i) look(frame, settings, {.number = i}, where);
+std::uint32_t FacetCache::all_looks(const Facets& settings) { return looks_per_side(settings) * looks_per_side(settings); }
+
+void FacetCache::look_at(const FrameParams& frame, const Facets& settings, const std::vector<Bounds>& where, std::uint32_t looks) {
+    for (std::uint32_t i = 0; i < std::min(looks, all_looks(settings)); ++i) look(frame, settings, {.number = i}, where);
 }
 
 float FacetCache::look(const FrameParams& frame, const Facets& settings, const Look& what, const std::vector<Bounds>& where) {

@@ -79,9 +79,13 @@ class Patches {
     void forget_all_but_seen_from(std::span<const GatherPoint* const> points);
     /// Whether so many patches are gone, and may still be linked to, that it pays to look.
     bool many_gone() const;
-    /// Places of patches that are gone, and that neither these points nor other patches are linked to, can be taken. Changes that come
-    /// without end are never all followed, and `forget_changes` does not happen.
-    void bury_gone(std::span<const GatherPoint* const> points);
+    /// Places of patches that are gone, and that nothing is linked to, can be taken; for changes that come without end are never
+    /// all followed, and `forget_changes` does not happen. It takes its time: begin, tell each point that is there now, in
+    /// any order and from any thread, and let patches look at their own links, `most` at a time, until it returns false.
+    void begin_burying();
+    bool burying() const { return !linked_.empty(); }
+    void keep_linked(const GatherPoint& point);
+    bool bury(std::size_t most);
     /// Bytes, about.
     std::size_t memory() const;
 
@@ -212,7 +216,7 @@ class Patches {
     /// Its surface is no longer there, or nothing sees it.
     void remove(std::uint32_t patch);
     /// Of those that are gone; one per patch, not 0: it stays.
-    void bury_gone_but(const std::vector<char>& linked);
+    void bury_unlinked();
     void remove_from_lists();
     void remove_from_cell(std::uint32_t patch);
     std::uint32_t find(const SurfacePoint& point, float level) const;
@@ -258,6 +262,8 @@ class Patches {
     bool black_ = false;     ///< patches reflect nothing
     std::vector<std::uint32_t> ungrown_;  ///< patches without links of their own, the first found first
     std::vector<std::uint32_t> gone_;     ///< patches that links may still lead to
+    std::vector<char> linked_;             ///< while patches are buried: which may be linked to; those that came since are not in it
+    std::size_t looked_at_ = 0;             ///< then: patches whose links were
     std::vector<std::uint32_t> free_;     ///< places where patches were
 };
 

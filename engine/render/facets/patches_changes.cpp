@@ -4,9 +4,11 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 
 #include "engine/render/facets/merged_boxes.h"
 #include "engine/render/trace/direct_light.h"
+#include "engine/render/trace/directions.h"
 
 namespace sl {
 
@@ -24,6 +26,34 @@ bool may_throw_shadow(const LightParams& light, const Bounds& box) {
     const bool ends = light.kind.x != light_directional && light.position.w > 0.0f;
     return !ends || box.grown(light.position.w).contains(vec3(light.position));
 }
+
+constexpr float half_diagonal = 1.7320508f;  // of a cube, over its half side
+
+/// Where, seen along a directional light, boxes stand before what lies behind them.
+struct Shade {
+    vec3 right, up;
+    vec2 low{std::numeric_limits<float>::infinity()}, high{-std::numeric_limits<float>::infinity()};
+
+    Shade(vec3 direction, std::span<const Bounds> boxes) {
+        const mat3 basis = basis_around(direction);
+        right = basis[0];
+        up = basis[1];
+        for (const Bounds& box : boxes) {
+            const vec2 middle = across(box.centre());
+            const vec3 half = 0.5f * (box.high - box.low);
+            const vec2 extent(glm::dot(glm::abs(right), half), glm::dot(glm::abs(up), half));
+            low = glm::min(low, middle - extent);
+            high = glm::max(high, middle + extent);
+        }
+    }
+    vec2 across(vec3 point) const { return {glm::dot(right, point), glm::dot(up, point)}; }
+    /// Of some point in the cube of that half side round `point`.
+    bool reaches(vec3 point, float half_side) const {
+        const vec2 place = across(point);
+        const float within = half_diagonal * half_side;
+        return glm::all(glm::greaterThanEqual(place, low - within)) && glm::all(glm::lessThanEqual(place, high + within));
+    }
+};
 
 }  // namespace
 
@@ -65,6 +95,7 @@ void Patches::forget_changes() {
     changes_.clear();
     free_.insert(free_.end(), gone_.begin(), gone_.end());
     gone_.clear();
+    linked_.clear();
 }
 
 bool Patches::mend(std::size_t most) {
@@ -114,6 +145,18 @@ void Patches::forget(std::span<const Bounds> boxes) {
     for (std::uint32_t i = 0; i < world_.lights.size(); ++i) {
         if (std::ranges::any_of(boxes, [&](const Bounds& box) { return may_throw_shadow(world_.lights[i], box); })) lights.push_back(i);
     }
+    std::vector<Shade> shades;
+    for (const std::uint32_t light : lights) {
+        if (world_.lights[light].kind.x == light_directional) shades.emplace_back(vec3(world_.lights[light].direction), boxes);
+    }
+    Bounds all;
+    for (const Bounds& box : boxes) all.add(box);
+    // Of most patches a look at all boxes together tells that none matters.
+    const auto any_may_matter = [&](vec3 middle, float side, float light_there) {
+        return all.grown(reach * side).contains(middle) || shades.size() < lights.size() ||
+               std::ranges::any_of(shades, [&](const Shade& shade) { return shade.reaches(middle, reach * side); }) ||
+               std::ranges::any_of(glowing_, [&](const Emitters::Ball& ball) { return brings(ball, middle, side) > too_little * light_there; });
+    };
     const auto may_matter = [&](const Bounds& box, vec3 middle, float side, float light_there) {
         const Bounds wide = box.grown(reach * side);
         if (wide.contains(middle)) return true;
@@ -122,16 +165,18 @@ void Patches::forget(std::span<const Bounds> boxes) {
             const bool directional = light.kind.x == light_directional;
             if (wide.meets(middle, directional ? -vec3(light.direction) : vec3(light.position) - middle, directional ? std::numeric_limits<float>::infinity() : 1.0f)) return true;
         }
-        return std::ranges::any_of(glowing_, [&](const Emitters::Ball& ball) { return brings(ball, middle, side) > too_little * light_there && wide.grown(ball.radius).meets(middle, ball.place - middle, 1.0f); });
+        return std::ranges::any_of(glowing_, [&](const Emitters::Ball& ball) {
+            return brings(ball, middle, side) > too_little * light_there && wide.grown(ball.radius).meets(middle, ball.place - middle, 1.0f);
+        });
     };
     enum class Fate : char { stays, waits, goes };
     std::vector<Fate> fates(patches_.size(), Fate::stays);
     tbb::parallel_for(std::size_t{0}, patches_.size(), [&](std::size_t id) {
         const vec3 middle(places_[id]);
-        const float side = places_[id].w;
-        if (side < 0.0f) return;
+        const float side = places_[id].w, light_there = luminance(reflected_[id]);
+        if (side < 0.0f || !any_may_matter(middle, side, light_there)) return;
         for (const Bounds& box : boxes) {
-            if (!may_matter(box, middle, side, luminance(reflected_[id]))) continue;
+            if (!may_matter(box, middle, side, light_there)) continue;
             Patch& patch = patches_[id];
             if (box.contains(patch.middle.point.position)) {
                 fates[id] = Fate::goes;
@@ -150,6 +195,8 @@ void Patches::forget(std::span<const Bounds> boxes) {
         if (fates[id] != Fate::goes) continue;
         remove(id);
         gone_.push_back(id);
+        // Whether anything is linked to it was not asked since.
+        if (id < linked_.size()) linked_[id] = 1;
     }
     remove_from_lists();
 }
@@ -166,46 +213,56 @@ void Patches::remove_from_lists() {
 }
 
 void Patches::forget_all_but_seen_from(std::span<const GatherPoint* const> points) {
-    std::vector<char> seen(patches_.size());
+    linked_.assign(patches_.size(), 0);
     std::vector<std::uint32_t> found;
     const auto follow_links = [&](const GatherPoint& point) {
         for (const std::vector<Link>* links : {&point.by_chance, &point.guided}) {
             for (const Link& link : *links) {
-                if (link.patch < nothing && std::exchange(seen[link.patch], 1) == 0) found.push_back(link.patch);
+                if (link.patch < nothing && std::exchange(linked_[link.patch], 1) == 0) found.push_back(link.patch);
             }
         }
     };
     for (const GatherPoint* point : points) follow_links(*point);
     for (std::size_t i = 0; i < found.size(); ++i) follow_links(patches_[found[i]].middle);
     for (std::uint32_t id = 0; id < patches_.size(); ++id) {
-        if (seen[id] != 0 || patches_[id].gone) continue;
+        if (linked_[id] != 0 || patches_[id].gone) continue;
         remove(id);
         free_.push_back(id);
     }
-    bury_gone_but(seen);
+    bury_unlinked();
     remove_from_lists();
 }
 
 bool Patches::many_gone() const { return gone_.size() > std::max(few_gone, patches_.size() / 4); }
 
-void Patches::bury_gone(std::span<const GatherPoint* const> points) {
-    std::vector<char> linked(patches_.size());
-    const auto mark = [&](const GatherPoint& point) {
-        for (const std::vector<Link>* links : {&point.by_chance, &point.guided}) {
-            for (const Link& link : *links) {
-                if (link.patch < nothing) linked[link.patch] = 1;
-            }
-        }
-    };
-    for (const GatherPoint* point : points) mark(*point);
-    for (const Patch& patch : patches_) mark(patch.middle);
-    bury_gone_but(linked);
+void Patches::begin_burying() {
+    linked_.assign(patches_.size(), 0);
+    looked_at_ = 0;
 }
 
-void Patches::bury_gone_but(const std::vector<char>& linked) {
-    const auto unlinked = std::ranges::partition(gone_, [&](std::uint32_t id) { return linked[id] != 0; });
+void Patches::keep_linked(const GatherPoint& point) {
+    for (const std::vector<Link>* links : {&point.by_chance, &point.guided}) {
+        for (const Link& link : *links) {
+            // Others may say the same at the same time.
+            if (link.patch < linked_.size()) std::atomic_ref(linked_[link.patch]).store(1, std::memory_order_relaxed);
+        }
+    }
+}
+
+bool Patches::bury(std::size_t most) {
+    const std::size_t last = std::min(looked_at_ + most, patches_.size());
+    tbb::parallel_for(looked_at_, last, [&](std::size_t i) { keep_linked(patches_[i].middle); });
+    looked_at_ = last;
+    if (last < patches_.size()) return true;
+    bury_unlinked();
+    return false;
+}
+
+void Patches::bury_unlinked() {
+    const auto unlinked = std::ranges::partition(gone_, [&](std::uint32_t id) { return id >= linked_.size() || linked_[id] != 0; });
     free_.insert(free_.end(), unlinked.begin(), unlinked.end());
     gone_.erase(unlinked.begin(), unlinked.end());
+    linked_.clear();
 }
 
 bool Patches::forget_shadows(Patch& patch, vec3 middle, const Bounds& box, std::span<const std::uint32_t> lights) const {

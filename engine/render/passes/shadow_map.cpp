@@ -12,10 +12,16 @@ namespace sl {
 
 namespace {
 
-/// Far tiles that are drawn in a frame of a game; each stands for many changes then.
-constexpr std::uint32_t most_far = 2;
-/// Triangles of tiles of a sun that is about to move, in a frame, and one tile more.
-constexpr std::uint64_t enough_of_next = 25000;
+/// Triangles of tiles that may wait, drawn in a frame of a game, and one tile more; each tile stands for many changes then.
+constexpr std::uint64_t enough = 6000;
+/// At least one such tile in so many frames.
+constexpr std::uint64_t frames_of_a_turn = 4;
+
+std::uint64_t triangles_of(const FrameInput& frame, const ShadowLayer& map) {
+    std::uint64_t triangles = 0;
+    for (const std::uint32_t draw : map.draws) triangles += frame.inputs.calls[draw].index_count / 3;
+    return triangles;
+}
 
 /// What is drawn into each layer of an array of shadow maps in this frame.
 class Turns {
@@ -28,15 +34,18 @@ class Turns {
         waiting_ = frame.slice_budget != ~0u && 2 * static_cast<std::size_t>(moved) < layers.size();
         if (!waiting_ || layers.empty()) return;
         // Each has its turn, however often others change.
-        const auto all = static_cast<std::uint32_t>(layers.size()), first = frame.params.counts.y * most_far % all;
-        for (std::uint32_t i = 0; i < all && drawn_.size() < most_far; ++i) {
+        const auto all = static_cast<std::uint32_t>(layers.size()), first = frame.params.counts.y * 2 % all;
+        std::uint64_t triangles = 0;
+        for (std::uint32_t i = 0; i < all && triangles < enough; ++i) {
             const std::uint32_t layer = (first + i) % all;
-            if (layers[layer].far && stale(layer)) drawn_.push_back(layer);
+            if (!layers[layer].may_wait || !stale(layer)) continue;
+            drawn_.push_back(layer);
+            triangles += triangles_of(frame, layers[layer]);
         }
     }
     Turn of(std::uint32_t layer) const {
         if (!stale(layer)) return Turn::none;
-        if (!waiting_ || !layers_[layer].far || std::ranges::find(drawn_, layer) != drawn_.end()) return Turn::whole;
+        if (!waiting_ || !layers_[layer].may_wait || std::ranges::find(drawn_, layer) != drawn_.end()) return Turn::whole;
         // What was there is shown until it has its turn, but not somewhere else.
         return elsewhere(layer) ? Turn::empty : Turn::none;
     }
@@ -88,28 +97,35 @@ ImageId draw_layer(const FrameInput& frame, const char* name, ImageId array, std
     return pictured.depth(array, Load::keep, layer);
 }
 
-ImageId drawn_array(const FrameInput& frame, const char* name, const std::vector<ShadowLayer>& layers) {
+struct DrawnArray {
+    ImageId image;
+    std::uint64_t triangles = 0;  ///< that this frame draws into it
+};
+
+DrawnArray drawn_array(const FrameInput& frame, const char* name, const std::vector<ShadowLayer>& layers) {
+    std::uint64_t triangles = 0;
     ImageId array = shadow_array(frame, name, layers);
     const Turns turns(frame, array, layers);
     for (std::uint32_t layer = 0; layer < layers.size(); ++layer) {
         const Turns::Turn turn = turns.of(layer);
         if (turn != Turns::Turn::none) array = draw_layer(frame, name, array, layer, layers[layer], turn == Turns::Turn::whole);
+        if (turn == Turns::Turn::whole) triangles += triangles_of(frame, layers[layer]);
     }
-    return array;
+    return {array, triangles};
 }
 
-/// Some more layers of the array that suns are about to move to; returns whether none is left.
-bool draw_next(const FrameInput& frame, const char* name, const std::vector<ShadowLayer>& layers) {
+/// Some more layers of the array that suns are about to move to, up to about so many triangles; returns whether none is left.
+bool draw_next(const FrameInput& frame, const char* name, const std::vector<ShadowLayer>& layers, std::uint64_t most) {
     ImageId array = shadow_array(frame, name, layers);
     std::uint64_t triangles = 0;
     bool all = true;
     for (std::uint32_t layer = 0; layer < layers.size(); ++layer) {
         // What changes there once it is drawn, is drawn when the array is in use.
         if (frame.graph.drawn_key(array, layer) >> 32 == layers[layer].key >> 32) continue;
-        all = triangles < enough_of_next;
+        all = triangles < most;
         if (!all) break;
         array = draw_layer(frame, name, array, layer, layers[layer], true);
-        for (const std::uint32_t draw : layers[layer].draws) triangles += frame.inputs.calls[draw].index_count / 3;
+        triangles += triangles_of(frame, layers[layer]);
     }
     frame.graph.want(array);
     return all;
@@ -121,8 +137,13 @@ constexpr std::array sun_arrays{"shadow_sun", "shadow_sun_other"};
 
 ShadowMaps shadow_maps(const FrameInput& frame) {
     const LightTable& lights = frame.lights;
-    ShadowMaps maps{.sun = drawn_array(frame, sun_arrays[lights.sun_array], lights.sun_layers), .spot = drawn_array(frame, "shadow_spot", lights.spot_layers)};
-    if (!lights.next_sun_layers.empty()) maps.next_is_drawn = draw_next(frame, sun_arrays[1 - lights.sun_array], lights.next_sun_layers);
+    const DrawnArray sun = drawn_array(frame, sun_arrays[lights.sun_array], lights.sun_layers), spot = drawn_array(frame, "shadow_spot", lights.spot_layers);
+    ShadowMaps maps{.sun = sun.image, .spot = spot.image};
+    if (lights.next_sun_layers.empty()) return maps;
+    // What is shown goes first, but where that changes in each frame the sun must go on too.
+    const bool turn = frame.params.counts.y % frames_of_a_turn == 0;
+    const std::uint64_t most = enough - std::min(sun.triangles, enough);
+    maps.next_is_drawn = draw_next(frame, sun_arrays[1 - lights.sun_array], lights.next_sun_layers, turn ? std::max(most, std::uint64_t{1}) : most);
     return maps;
 }
 

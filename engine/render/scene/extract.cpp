@@ -70,11 +70,6 @@ void extract_view(World& world, RenderScene& scene) {
     }
 }
 
-void extract_materials(World& world, RenderScene& scene) {
-    scene.materials.clear();
-    if (const auto* table = world.find_resource<MaterialTable>()) scene.materials = table->entries;
-}
-
 std::uint64_t material_hash(const MaterialEntry& entry) {
     const Material& m = entry.material;
     const std::array<float, 10> values{m.base_colour.x, m.base_colour.y, m.base_colour.z, m.metallic, m.roughness,
@@ -82,6 +77,17 @@ std::uint64_t material_hash(const MaterialEntry& entry) {
                                        m.emission_colour.z};
     const std::uint64_t hash = hash_mix(hash_bytes(0x5ec0d, values.data(), sizeof values), static_cast<std::uint32_t>(entry.texture_layer));
     return entry.pictures ? hash_bytes(hash, &*entry.pictures, sizeof(PictureParams)) : hash;
+}
+
+void extract_materials(World& world, RenderScene& scene) {
+    scene.materials.clear();
+    scene.textures = world.find_resource<TextureLayers>();
+    const auto* pictures = world.find_resource<PictureTable>();
+    scene.pictures = pictures != nullptr ? *pictures : PictureTable{};
+    if (const auto* table = world.find_resource<MaterialTable>()) scene.materials = table->entries;
+    // Without those that entities have for themselves, of which each draw's content tells.
+    scene.materials_hash = hash_mix(scene.textures != nullptr ? scene.textures->version : 0, scene.pictures.version);
+    for (const MaterialEntry& entry : scene.materials) scene.materials_hash = hash_mix(scene.materials_hash, material_hash(entry));
 }
 
 mat4 placed(const WorldTransform& transform, const dvec3& origin) {
@@ -94,7 +100,6 @@ void extract_draws(World& world, RenderScene& scene) {
     scene.draws.clear();
     scene.bounds = {};
     scene.meshes = world.find_resource<MeshPool>();
-    scene.textures = world.find_resource<TextureLayers>();
     if (scene.meshes == nullptr) return;
     for (auto [entity, instance, transform] : Query<const MeshInstance, const WorldTransform>(world)) {
         const MeshData* mesh = scene.meshes->find(instance.mesh);
@@ -129,10 +134,6 @@ void extract_draws(World& world, RenderScene& scene) {
         scene.bounds.add(draw.bounds);
         scene.draws.push_back(draw);
     }
-    const auto* pictures = world.find_resource<PictureTable>();
-    scene.pictures = pictures != nullptr ? *pictures : PictureTable{};
-    scene.materials_hash = hash_mix(scene.textures != nullptr ? scene.textures->version : 0, scene.pictures.version);
-    for (const MaterialEntry& entry : scene.materials) scene.materials_hash = hash_mix(scene.materials_hash, material_hash(entry));
 }
 
 void extract_waters(World& world, RenderScene& scene) {

@@ -13,8 +13,8 @@ namespace {
 constexpr float depth_step = 1024.0f;
 /// So many tiles farther, one has the same number.
 constexpr double tile_numbers = 1 << 20;
-/// From the middle of the square, in half tiles: the camera is never nearer than three halves to what lies farther.
-constexpr int near_tiles = 3;
+/// m, across the light: shadows of what the camera's owner changes lie nearer.
+constexpr float near_by = 20.0f;
 
 /// Tiles of one square, counted from its lower corner, and where each has its layer.
 struct TileGrid {
@@ -104,10 +104,12 @@ SunLayers sun_layers(const RenderScene& scene, const RenderScene::Light& light, 
             layer.clip_from_world = square.clip_from_world(middle, 0.5f * grid.side / whole_tile);
             const ivec2 away = glm::abs(tile * 2 + 1 - tiles), number = (grid.lowest + tile) % static_cast<int>(tile_numbers);
             layer.key = hash_bytes(hash_mix(square.world, layer.size), &number, sizeof number) >> 32 << 32;
-            layer.far = std::max(away.x, away.y) > near_tiles;
+            // The camera is within half a tile of the square's middle.
+            layer.may_wait = 0.5f * static_cast<float>(std::max(away.x, away.y) - 2) * grid.side > near_by;
         }
     }
     std::vector<std::uint64_t> contents(result.layers.size());
+    std::vector<char> edited(result.layers.size());
     for (std::uint32_t i = 0; i < scene.draws.size(); ++i) {
         const Bounds box = transformed(scene.draws[i].bounds, square.light_from_world);
         const ivec2 low = glm::max(grid.tile_at(vec2(box.low) - grid.margin), ivec2(0)), high = glm::min(grid.tile_at(vec2(box.high) + grid.margin), ivec2(tiles - 1));
@@ -115,6 +117,7 @@ SunLayers sun_layers(const RenderScene& scene, const RenderScene::Light& light, 
             for (int x = low.x; x <= high.x; ++x) {
                 const std::size_t layer = grid.layer({x, y});
                 result.layers[layer].draws.push_back(i);
+                if (!scene.draws[i].changed.empty()) edited[layer] = 1;
                 // A sum: in which order the draws stand is not seen.
                 contents[layer] += hash_mix(0x5ade, scene.draws[i].content);
             }
@@ -122,6 +125,8 @@ SunLayers sun_layers(const RenderScene& scene, const RenderScene::Light& light, 
     }
     for (std::size_t i = 0; i < contents.size(); ++i) {
         ShadowLayer& layer = result.layers[i];
+        // What came by itself came far off, but along a low sun that may be in the camera's own tile.
+        layer.may_wait |= edited[i] == 0;
         layer.key |= (hash_mix(layer.key, contents[i]) & 0xffffffffu) | 1;
         if (layer.key == layer.empty_key() && !layer.draws.empty()) layer.key += 2;
     }

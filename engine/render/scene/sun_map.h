@@ -14,7 +14,7 @@ struct ShadowLayer {
     std::uint64_t key = 0;  ///< hash of what it is made from; in a sun's tile, the upper half is that of the tile alone
     std::vector<std::uint32_t> draws;
     vec3 from{0.0f};  ///< unit, towards a light so far off that it is in no solid thing, and what faces away throws no shadow of its own; else 0
-    bool far = false;  ///< from the camera: what is out of date there hardly shows
+    bool may_wait = false;  ///< nobody looks at what is out of date in it
 
     /// The key of a sun's tile in which nothing stands.
     std::uint64_t empty_key() const { return key >> 32 << 32 | 1; }

@@ -17,9 +17,9 @@ std::vector<SurfaceChanges::Change> SurfaceChanges::since_last_look(const Render
         if (left.erase(draw.content) > 0) continue;
         // Of a mesh that was edited once, only the edited part is another one.
         const bool edited = !draw.changed.empty() && left.erase(draw.content_before) > 0;
-        changes.push_back({edited ? draw.changed : draw.bounds, edited});
+        changes.push_back({.box = edited ? draw.changed : draw.bounds, .edited = edited, .came = !edited});
     }
-    for (const auto& [content, bounds] : left) changes.push_back({bounds, false});
+    for (const auto& [content, bounds] : left) changes.push_back({.box = bounds});
     std::erase_if(changes, [](const Change& change) { return change.box.empty(); });
     return changes;
 }

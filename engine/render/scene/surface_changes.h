@@ -13,7 +13,8 @@ class SurfaceChanges {
     /// Something came, went or moved here.
     struct Change {
         Bounds box;
-        bool edited;  ///< a part of a mesh that is otherwise as it was, which somebody looks at
+        bool edited = false;  ///< a part of a mesh that is otherwise as it was, which somebody looks at
+        bool came = false;    ///< nothing of it was there before
     };
 
     std::vector<Change> since_last_look(const RenderScene& scene) const;

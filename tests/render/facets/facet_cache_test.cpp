@@ -72,6 +72,44 @@ TEST(FacetCache, KeepsItsLightWhenTheOriginStepsOn) {
     }
 }
 
+/// Two walls, looked at until all light is known.
+void light_two_walls(FacetCache& cache, SceneBuilder& builder, const Facets& settings) {
+    build_street(builder, 2);
+    builder.look(vec3(4, 1.7f, -2), glm::normalize(vec3(0.6f, -0.3f, 1)), vec3(0, 1, 0), 1.2f);
+    (void)cache.update(builder.scene(), frame_params(builder.scene(), 96, 54, 0), settings, {});
+    ASSERT_GT(cache.outlines_near(vec3(0.0f), 1000).size(), 50u);
+}
+
+TEST(FacetCache, KeepsItsLightWhenMuchComesFarOff) {
+    SceneBuilder builder;
+    FacetCache cache;
+    const Facets settings{.spacing = 6.0f, .noise = 0.5f};
+    light_two_walls(cache, builder, settings);
+    const std::size_t before = cache.outlines_near(vec3(0.0f), 1000).size();
+    // As much ground again as there was; materials stay, as those of a world's land do.
+    const std::uint64_t materials = builder.scene().materials_hash;
+    builder.add({Shape::Kind::box, vec3(20, 0.5f, 30)}, glm::translate(mat4(1.0f), vec3(60, -0.25f, 0)), vec3(0.5f));
+    builder.scene().materials_hash = materials;
+    // Without time nothing is gathered anew: what is there was kept.
+    (void)cache.update(builder.scene(), frame_params(builder.scene(), 96, 54, 0), settings, {.seconds = 1e-9});
+    EXPECT_EQ(cache.outlines_near(vec3(0.0f), 1000).size(), before);
+}
+
+TEST(FacetCache, LightThatTurnsWhileLandComesIsFollowedInTheNextFrame) {
+    SceneBuilder builder;
+    FacetCache cache;
+    const Facets settings{.spacing = 6.0f, .noise = 0.5f};
+    light_two_walls(cache, builder, settings);
+    const std::uint64_t materials = builder.scene().materials_hash;
+    builder.add({Shape::Kind::box, vec3(5, 0.5f, 5)}, glm::translate(mat4(1.0f), vec3(20, -0.25f, 0)), vec3(0.5f));
+    builder.scene().materials_hash = materials;
+    builder.scene().lights.front().intensity = vec3(0.0f);
+    const FrameParams frame = frame_params(builder.scene(), 96, 54, 0);
+    (void)cache.update(builder.scene(), frame, settings, {.seconds = 1e-9});
+    (void)cache.update(builder.scene(), frame, settings, {});
+    for (const FacetOutline& facet : cache.outlines_near(vec3(0.0f), 1000)) EXPECT_EQ(facet.irradiance, vec3(0.0f));
+}
+
 TEST(FacetCache, AfterAStepOfTheOriginAnEditIsFollowedAsBefore) {
     SceneBuilder stays, steps;
     FacetCache cache, stepped;
