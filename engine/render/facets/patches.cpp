@@ -14,8 +14,10 @@ namespace {
 constexpr float least_cosine = 0.9f, most_height = 0.2f;
 constexpr int most_in_a_cell = 4;
 constexpr std::uint32_t place_seed = 2;
-/// How much finer cells may be where more patches than that would lie in one, in halvings.
-constexpr float most_halvings = 8.0f;
+/// How much finer cells may be where more patches than that would lie in one, in halvings: of those that shown points see, and
+/// of others. In the finest, which hold what is smaller than can matter by itself, the most alike of its patches stands for it.
+constexpr float most_halvings = 3.0f, most_halvings_of_others = 1.0f;
+constexpr float alike = 0.5f;  ///< cosine of what is
 
 }  // namespace
 
@@ -57,8 +59,9 @@ bool Patches::belongs(const SurfacePoint& point, const Patch& patch) const {
     return !world_.scene.occluded({.origin = from, .direction = to - from, .farthest = 1.0f});
 }
 
-std::uint32_t Patches::find(const SurfacePoint& point, float level) const {
-    for (float finer = 0.0f; finer <= most_halvings; ++finer) {
+std::uint32_t Patches::find(const SurfacePoint& point, float level, bool sharp) const {
+    const float most = sharp ? most_halvings : most_halvings_of_others;
+    for (float finer = 0.0f; finer <= most; ++finer) {
         const auto first = first_.find(facet_name(facet_cell(point.position, point.normal(), level - finer)));
         if (first == first_.end()) return nothing;
         int count = 0;
@@ -67,8 +70,23 @@ std::uint32_t Patches::find(const SurfacePoint& point, float level) const {
         }
         // Where a cell's surfaces do not see each other, smaller ones do.
         if (count < most_in_a_cell) return nothing;
+        if (finer == most) return most_alike(point, first->second);
     }
     return nothing;
+}
+
+std::uint32_t Patches::most_alike(const SurfacePoint& point, std::uint32_t first) const {
+    std::uint32_t best = nothing;
+    float closest = alike;
+    for (std::uint32_t id = first; id != nothing; id = patches_[id].next) {
+        const SurfacePoint& middle = patches_[id].middle.point;
+        // A side apart counts as much as a right angle.
+        const float likeness = glm::dot(point.face, middle.face) - glm::length(point.position - middle.position) / patches_[id].side;
+        if (glm::dot(point.face, middle.face) < alike || (best != nothing && likeness <= closest)) continue;
+        closest = likeness;
+        best = id;
+    }
+    return best;
 }
 
 std::uint32_t Patches::add(const SurfacePoint& point, float level, bool sharp) {
@@ -79,7 +97,8 @@ std::uint32_t Patches::add(const SurfacePoint& point, float level, bool sharp) {
         return count;
     };
     FacetName name = facet_name(facet_cell(point.position, point.normal(), level));
-    for (float finer = 1.0f; finer <= most_halvings && in_cell(name) >= most_in_a_cell; ++finer) {
+    const float asked = level, most = sharp ? most_halvings : most_halvings_of_others;
+    for (float finer = 1.0f; finer <= most && in_cell(name) >= most_in_a_cell; ++finer) {
         --level;
         name = facet_name(facet_cell(point.position, point.normal(), level));
     }
@@ -88,7 +107,7 @@ std::uint32_t Patches::add(const SurfacePoint& point, float level, bool sharp) {
     patch.middle.point = point;
     // What patches see is told apart less finely from one to the next; else one small patch would ask for such ones all over.
     patch.sharp = sharp;
-    patch.middle.level = sharp ? level : std::min(level + 1.0f, std::max(level, coarsest_));
+    patch.middle.level = sharp ? asked : std::min(asked + 1.0f, std::max(asked, coarsest_));
     patch.cell = name;
     patch.level = level;
     patch.side = std::exp2(level);

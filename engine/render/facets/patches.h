@@ -206,7 +206,7 @@ class Patches {
     bool passes(const GatherPoint& point, const Link& link, const Bounds& box) const;
     Met by_chance(const Job& job, std::uint32_t number, const GuideCones& guide) const;
     Met guided(const GatherPoint& from, std::uint32_t number, const GuideCones& guide) const;
-    Met follow(const GatherPoint& from, const SurfacePoint& start, vec3 direction, const GuideCones& guide) const;
+    Met follow(const GatherPoint& from, const SurfacePoint& start, vec3 direction, const GuideCones& guide, bool sharp) const;
     Gathered gather(const GatherPoint& point, const std::vector<vec3>& light) const;
     /// Irradiance, at most, from a glowing ball within a distance of a place, lux.
     static float brings(const Emitters::Ball& ball, vec3 place, float within);
@@ -219,7 +219,9 @@ class Patches {
     void bury_unlinked();
     void remove_from_lists();
     void remove_from_cell(std::uint32_t patch);
-    std::uint32_t find(const SurfacePoint& point, float level) const;
+    std::uint32_t find(const SurfacePoint& point, float level, bool sharp) const;
+    /// Of a cell's patches, from its first on, that whose light is most likely that of a point which none of them sees.
+    std::uint32_t most_alike(const SurfacePoint& point, std::uint32_t first) const;
     std::uint32_t add(const SurfacePoint& point, float level, bool sharp);
     std::uint32_t place_for_one_more();
     bool belongs(const SurfacePoint& point, const Patch& patch) const;

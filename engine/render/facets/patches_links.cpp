@@ -35,7 +35,7 @@ Patches::Met Patches::by_chance(const Job& job, std::uint32_t number, const Guid
     };
     const SurfacePoint point = start();
     const vec3 direction = basis_around(point.normal()) * cosine_direction(samples.pair());
-    return follow(from, point, direction, guide);
+    return follow(from, point, direction, guide, job.patch == nothing);
 }
 
 Patches::Met Patches::guided(const GatherPoint& from, std::uint32_t number, const GuideCones& guide) const {
@@ -43,10 +43,10 @@ Patches::Met Patches::guided(const GatherPoint& from, std::uint32_t number, cons
     const vec2 xi = samples.pair();
     const vec3 direction = guide.sample(xi, samples.pair().x);
     if (!(glm::dot(direction, from.point.normal()) > 0.0f)) return {};
-    return follow(from, from.point, direction, guide);
+    return follow(from, from.point, direction, guide, true);
 }
 
-Patches::Met Patches::follow(const GatherPoint& from, const SurfacePoint& start, vec3 direction, const GuideCones& guide) const {
+Patches::Met Patches::follow(const GatherPoint& from, const SurfacePoint& start, vec3 direction, const GuideCones& guide, bool sharp) const {
     Met met;
     const float density = std::max(glm::dot(direction, start.normal()), 0.0f) / pi;
     met.direction = pack_normal(direction);
@@ -61,7 +61,7 @@ Patches::Met Patches::follow(const GatherPoint& from, const SurfacePoint& start,
     met.surface = true;
     met.point = world_.scene.surface_at(*hit);
     met.level = std::max(facet_level(hit->distance, side_over_distance), from.level);
-    met.patch = find(met.point, met.level);
+    met.patch = find(met.point, met.level, sharp);
     return met;
 }
 
@@ -92,7 +92,7 @@ void Patches::trace(std::vector<Probe>& rays) {
     for (Probe& ray : rays) {
         Met& met = ray.met;
         if (met.surface) {
-            if (met.patch == nothing) met.patch = find(met.point, met.level);
+            if (met.patch == nothing) met.patch = find(met.point, met.level, ray.job->patch == nothing);
             if (met.patch == nothing) met.patch = add(met.point, met.level, ray.job->patch == nothing);
         }
         std::vector<Link>& links = ray.guided ? ray.job->point->guided : ray.job->point->by_chance;
