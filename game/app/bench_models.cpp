@@ -57,14 +57,16 @@ void add_step(json& row, const ModelPoint& point, const char* name, double minut
 void write_models_report(const ModelsFlags& flags, const json& rows) {
     const std::filesystem::path folder = flags.folder;
     const std::string about = fmt::format("{} pixels; error at {} pixels, against {} samples a pixel:", flags.size, flags.reference_size, flags.spp);
-    write_text_file(folder / "report.json", json{{"size", flags.size}, {"reference_size", flags.reference_size}, {"spp", flags.spp}, {"minutes", flags.minutes}, {"gi", flags.gi}, {"rows", rows}}.dump(1) + "\n");
+    const json report{{"size", flags.size}, {"reference_size", flags.reference_size}, {"spp", flags.spp}, {"minutes", flags.minutes}, {"gi", flags.gi}, {"rows", rows}};
+    write_text_file(folder / "report.json", report.dump(1) + "\n");
     write_text_file(folder / "report.md", about + "\n\n" + models_table(rows));
 }
 
 }  // namespace
 
 std::string models_table(const json& rows) {
-    std::string text = "| model | triangles | to load, s | capture, s | peak memory, MB | NRMSE | bias | the reference's own noise |\n| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n";
+    std::string text = "| model | triangles | to load, s | capture, s | peak memory, MB | NRMSE | bias | the reference's own noise |\n"
+                       "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n";
     for (const json& row : rows) {
         text += fmt::format("| {} | {} | {} | {} | {} | ", in_a_cell(row["model"].get<std::string>()), cell(row, "triangles", 1.0, "{:.0f}"), cell(row, "load_s", 1.0, "{:.2f}"),
                             cell(row, "capture_s", 1.0, "{:.1f}"), cell(row, "peak_mb", 1.0, "{:.0f}"));
@@ -113,8 +115,9 @@ void add_bench_models_command(const Flags& bench, const GlobalFlags& global) {
     command.add("--gi", flags->gi, "GI method; default: facets, which scenes of models have");
     command.add("--minutes", flags->minutes, "A capture or a comparison that takes longer is given up, and its row says so").within(0.01, 1e6);
     command.add("--folder", flags->folder, "Where report.json, report.md and the pictures go; references found there continue");
-    command.footer("To load: until the model can be drawn. Capture: all that `capture` does, from starting to load to the written picture. Error: of indirect irradiance, as NRMSE\n"
-                   "(root mean square error over the reference's mean) and bias (mean error over that mean), against path-traced full transport from the same camera.\n"
+    command.footer("To load: until the model can be drawn. Capture: all that `capture` does, from starting to load to the written picture.\n"
+                   "Error: of indirect irradiance, as NRMSE (root mean square error over the reference's mean) and bias (mean error over that\n"
+                   "mean), against path-traced full transport from the same camera.\n"
                    "Exits with 1 where a model could not be measured.");
     command.runs([&global, flags] { return run_bench_models(global, *flags); });
 }

@@ -38,7 +38,8 @@ HallMesh vase(const HallDetail& detail) {
     const int around = detail.steps(32, 6), bend = detail.steps(7, 2), small = detail.steps(2, 1);
     const dvec2 shoulder(0.3, 0.62), neck(0.13, 0.92), lip(0.2, 1.1), inner_lip(0.17, 1.1), inner_neck(0.1, 0.92);
     add_lathe(mesh,
-              {straight({0.0, 0.0}, {0.16, 0.0}), straight({0.16, 0.0}, {0.16, 0.03}), bent({0.16, 0.03}, {0.1, 0.06}, {0.11, 0.1}, small), bent({0.11, 0.1}, {0.28, 0.28}, shoulder, bend),
+              {straight({0.0, 0.0}, {0.16, 0.0}), straight({0.16, 0.0}, {0.16, 0.03}), bent({0.16, 0.03}, {0.1, 0.06}, {0.11, 0.1}, small),
+               bent({0.11, 0.1}, {0.28, 0.28}, shoulder, bend),
                bent(shoulder, {0.32, 0.86}, neck, bend), bent(neck, {0.13, 1.04}, lip, small), straight(lip, inner_lip), bent(inner_lip, {0.1, 1.02}, inner_neck, small),
                bent(inner_neck, {0.29, 0.84}, {0.27, 0.62}, bend), bent({0.27, 0.62}, {0.2, 0.2}, {0.0, 0.14}, bend)},
               around);

@@ -42,7 +42,7 @@ Hall make_hall(double detail, std::uint64_t seed) {
               .pictures = {{"stone", stone_picture(seed)}, {"tiles", tile_picture(seed)}, {"cloth", cloth_picture(seed)}},
               .parts = {},
               .cameras = {{.name = "nave", .eye = {-1.0, 2.0, 11.2}, .target = {0.4, 3.2, -12.0}, .fov_y = 1.05},
-                          {.name = "gallery", .eye = {6.2, 7.0, 13.2}, .target = {0.0, 6.2, -6.0}, .fov_y = 1.05},
+                          {.name = "gallery", .eye = {6.0, 7.0, 11.2}, .target = {0.0, 5.6, -6.0}, .fov_y = 1.05},
                           {.name = "court", .eye = {2.6, 1.6, 8.4}, .target = {-2.0, 7.4, -3.0}, .fov_y = 1.15}},
               .sun = {.colour = {1.0f, 0.95f, 0.87f}, .illuminance = 90000.0, .towards = {-0.42, -1.0, 0.28}}};
     const HallDetail fineness(detail);

@@ -114,11 +114,13 @@ void add_hall_arcades(Hall& hall, const HallDetail& detail) {
     add("column", HallSurface::marble, column({.height = spring, .radius = 0.32, .abacus = 0.4}, detail), between_corners(0.0));
     add("upper column", HallSurface::marble, column({.height = upper_spring - gallery, .radius = 0.24, .abacus = 0.4}, detail), between_corners(gallery));
     add("pier", HallSurface::stone, corner_pier(), corners(court_x, court_z, 0.0));
-    add("arch", HallSurface::stone, arch({.width = bay, .thickness = lower_wall, .radius = arch_radius, .height = gallery_below + into - spring}, detail), middles_of_bays(spring, 0.0));
-    add("upper arch", HallSurface::stone, arch({.width = bay, .thickness = upper_wall, .radius = arch_radius, .height = ceiling + into - upper_spring}, detail),
-        middles_of_bays(upper_spring, 0.0));
-    add("vault", HallSurface::plaster, groin_vault({.x = bay, .z = vault_span, .rise = vault_rise}, detail), middles_of_bays(spring, vault_middle - court_x));
-    add("corner vault", HallSurface::plaster, groin_vault({.x = vault_span, .z = vault_span, .rise = vault_rise}, detail), corners(vault_middle, to_end + vault_middle, spring));
+    const ArchShape lower{.width = bay, .thickness = lower_wall, .radius = arch_radius, .height = gallery_below + into - spring};
+    const ArchShape upper{.width = bay, .thickness = upper_wall, .radius = arch_radius, .height = ceiling + into - upper_spring};
+    add("arch", HallSurface::stone, arch(lower, detail), middles_of_bays(spring, 0.0));
+    add("upper arch", HallSurface::stone, arch(upper, detail), middles_of_bays(upper_spring, 0.0));
+    const VaultShape in_bay{.x = bay, .z = vault_span, .rise = vault_rise}, in_corner{.x = vault_span, .z = vault_span, .rise = vault_rise};
+    add("vault", HallSurface::plaster, groin_vault(in_bay, detail), middles_of_bays(spring, vault_middle - court_x));
+    add("corner vault", HallSurface::plaster, groin_vault(in_corner, detail), corners(vault_middle, to_end + vault_middle, spring));
     std::vector<HallPlace> ribs = between_vaults(spring, vault_middle);
     for (HallPlace& place : ribs) place.turn += quarter;
     add("rib", HallSurface::stone, rib({.x = vault_span, .z = rib_width, .rise = vault_rise}, detail), std::move(ribs));

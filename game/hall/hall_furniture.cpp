@@ -36,13 +36,18 @@ constexpr std::array cloths{HallSurface::red, HallSurface::green, HallSurface::b
 void add_curtains(Hall& hall, const HallDetail& detail, Numbers& numbers) {
     constexpr double height = spring - 0.25;
     HallMesh rod;
-    add_tube(rod, {.at = [](double t) { return dvec3(3.5 * (t - 0.5), 0, 0); }, .side = [](double) { return dvec3(0, 1, 0); }, .radius = 0.02, .length = 3.5}, detail.steps(10, 4), 1);
+    const TubeWay across{.at = [](double t) { return dvec3(3.5 * (t - 0.5), 0, 0); }, .side = [](double) { return dvec3(0, 1, 0); }, .radius = 0.02, .length = 3.5};
+    add_tube(rod, across, detail.steps(10, 4), 1);
     std::vector<HallPlace> rods;
     for (int i = 0; i < bays_z; ++i) {
         const double side = i % 2 == 0 ? -1.0 : 1.0;
         const HallPlace place{{side * court_x, height, (i + 0.5 - 0.5 * bays_z) * bay}, -side * quarter};
-        const ClothShape shape{.width = numbers.between(2.4, 2.9), .length = numbers.between(2.0, 2.5), .folds = std::floor(numbers.between(7.0, 11.0)), .phase = numbers.between(0.0, 6.0)};
-        hall.parts.push_back({fmt::format("curtain {}", i + 1), static_cast<int>(cloths[static_cast<std::size_t>(i) % cloths.size()]), curtain(shape, detail), {place}});
+        const ClothShape shape{.width = numbers.between(2.4, 2.9),
+                               .length = numbers.between(2.0, 2.5),
+                               .folds = std::floor(numbers.between(7.0, 11.0)),
+                               .phase = numbers.between(0.0, 6.0)};
+        const HallSurface surface = cloths[static_cast<std::size_t>(i) % cloths.size()];
+        hall.parts.push_back({fmt::format("curtain {}", i + 1), static_cast<int>(surface), curtain(shape, detail), {place}});
         rods.push_back(place);
     }
     hall.parts.push_back({"rod", static_cast<int>(HallSurface::wood), std::move(rod), std::move(rods)});

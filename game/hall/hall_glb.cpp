@@ -31,7 +31,10 @@ class GlbWriter {
     explicit GlbWriter(const Hall& hall) : hall_(hall) {}
 
     std::string write() {
-        json_ = {{"asset", {{"version", "2.0"}, {"generator", "Secondlight"}}}, {"extensionsUsed", {"KHR_lights_punctual"}}, {"scene", 0}, {"scenes", {{{"name", "hall"}, {"nodes", Json::array()}}}}};
+        json_ = {{"asset", {{"version", "2.0"}, {"generator", "Secondlight"}}},
+                 {"extensionsUsed", {"KHR_lights_punctual"}},
+                 {"scene", 0},
+                 {"scenes", {{{"name", "hall"}, {"nodes", Json::array()}}}}};
         add_cameras();
         add_sun();
         for (const HallMaterial& material : hall_.materials) add_material(material);

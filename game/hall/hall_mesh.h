@@ -39,6 +39,7 @@ void add_surface(HallMesh& mesh, const SurfaceGrid& grid, const Surface& at, con
 /// From a corner to the right and up, as seen from its front.
 void add_rectangle(HallMesh& mesh, dvec3 corner, dvec3 right, dvec3 up);
 
+/// All six sides, from outside.
 void add_box(HallMesh& mesh, dvec3 low, dvec3 high);
 
 /// A tube round a way: `at` gives points for 0 to 1, `side` directions that are nowhere along it.

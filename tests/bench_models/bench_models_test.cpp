@@ -29,7 +29,7 @@ class BenchModels : public ModelTest {
     Json rows() const { return Json::parse(read_text_file(folder / "out/report.json", 1u << 20))["rows"]; }
 
     GlobalFlags global;
-    ModelsFlags flags{.size = "48x27", .reference_size = "32x18", .spp = 16};
+    ModelsFlags flags{.size = "48x27", .reference_size = "32x18", .spp = 256};
 };
 
 TEST_F(BenchModels, MeasuresAndKeepsPictures) {

@@ -120,7 +120,9 @@ TEST(Hall, TrianglesHaveAnAreaAndUnitNormalsOnTheirFront) {
             for (std::size_t i = 0; i < mesh.triangles(); ++i) {
                 const vec3 across = triangle_of(mesh, i).across();
                 ASSERT_GT(glm::length(across), 1e-10f) << part.name << ", detail " << detail;
-                for (std::size_t corner = 0; corner < 3; ++corner) ASSERT_GT(glm::dot(across, mesh.normals[mesh.indices[3 * i + corner]]), 0.0f) << part.name << ", detail " << detail << ", triangle " << i;
+                for (std::size_t corner = 0; corner < 3; ++corner) {
+                    ASSERT_GT(glm::dot(across, mesh.normals[mesh.indices[3 * i + corner]]), 0.0f) << part.name << ", detail " << detail << ", triangle " << i;
+                }
             }
         }
     }
