@@ -16,9 +16,9 @@ using nlohmann::json;
 
 namespace {
 
-json json_of(const ModelCost& cost) {
-    return {{"load_s", cost.load_s}, {"capture_s", cost.capture_s}, {"peak_mb", cost.peak_mb}, {"triangles", cost.triangles}};
-}
+json json_of(const ModelLoad& load) { return {{"load_s", load.load_s}, {"triangles", load.triangles}}; }
+
+json json_of(const ModelCost& cost) { return {{"capture_s", cost.capture_s}, {"peak_mb", cost.peak_mb}}; }
 
 json json_of(const ModelErrors& errors) { return {{"nrmse", errors.nrmse}, {"bias", errors.bias}, {"reference_noise", errors.reference_noise}}; }
 
@@ -94,7 +94,8 @@ int run_bench_models(const GlobalFlags& global, const ModelsFlags& flags) {
         point.folder = std::filesystem::path(flags.folder) / folder_name(model.name);
         std::filesystem::create_directories(point.folder);
         json row{{"model", model.name}};
-        add_step(row, point, "capture", flags.minutes, [&] { return json_of(measure_model_cost(global, point)); });
+        add_step(row, point, "loading", flags.minutes, [&] { return json_of(measure_model_load(point)); });
+        add_step(row, point, "capture", flags.minutes, [&] { return json_of(measure_model_capture(global, point)); });
         add_step(row, point, "comparison", flags.minutes, [&] { return json_of(measure_model_errors(global, point)); });
         all &= !row.contains("error");
         rows.push_back(std::move(row));
@@ -113,7 +114,7 @@ void add_bench_models_command(const Flags& bench, const GlobalFlags& global) {
     command.add("--reference-size", flags->reference_size, "WIDTHxHEIGHT in pixels of what is compared with the path-traced truth");
     command.add("--spp", flags->spp, "Samples per pixel of the references");
     command.add("--gi", flags->gi, "GI method; default: facets, which scenes of models have");
-    command.add("--minutes", flags->minutes, "A capture or a comparison that takes longer is given up, and its row says so").within(0.01, 1e6);
+    command.add("--minutes", flags->minutes, "Loading, a capture or a comparison that takes longer is given up, and its row says so").within(0.01, 1e6);
     command.add("--folder", flags->folder, "Where report.json, report.md and the pictures go; references found there continue");
     command.footer("To load: until the model can be drawn. Capture: all that `capture` does, from starting to load to the written picture.\n"
                    "Error: of indirect irradiance, as NRMSE (root mean square error over the reference's mean) and bias (mean error over that\n"

@@ -12,19 +12,30 @@
 
 namespace sl {
 
-ModelCost measure_model_cost(const GlobalFlags& global, const ModelPoint& point) {
-    const auto start = std::chrono::steady_clock::now();
-    const auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
+namespace {
+
+using Watch = std::chrono::steady_clock;
+
+double seconds_since(Watch::time_point start) { return std::chrono::duration<double>(Watch::now() - start).count(); }
+
+}  // namespace
+
+ModelLoad measure_model_load(const ModelPoint& point) {
+    const auto start = Watch::now();
     App app = open_scene(point.choice);
-    ModelCost cost{.load_s = seconds(), .triangles = triangles_of_meshes(app.world)};
-    if (cost.triangles == 0) fail("it has no triangles to show");
+    const ModelLoad load{.load_s = seconds_since(start), .triangles = triangles_of_meshes(app.world)};
+    if (load.triangles == 0) fail("it has no triangles to show");
+    return load;
+}
+
+ModelCost measure_model_capture(const GlobalFlags& global, const ModelPoint& point) {
+    const auto start = Watch::now();
+    App app = open_scene(point.choice);
     Headless headless(global);
     const Capture captured = capture(app, headless.renderer, {.width = point.size.x, .height = point.size.y});
     write_png(point.folder / "capture.png", captured.picture);
-    cost.capture_s = seconds();
-    cost.peak_mb = peak_megabytes();
     headless.check_errors();
-    return cost;
+    return {.capture_s = seconds_since(start), .peak_mb = peak_megabytes()};
 }
 
 ModelErrors measure_model_errors(const GlobalFlags& global, const ModelPoint& point) {

@@ -14,14 +14,21 @@ struct ModelPoint {
     std::uint32_t spp = 0;         ///< of the reference
 };
 
-struct ModelCost {
-    double load_s = 0.0;     ///< until all of it is there to be drawn
-    double capture_s = 0.0;  ///< the whole capture: loading, a context, indirect light from nothing, the picture's file
-    double peak_mb = 0.0;    ///< the most that the process held
+// Each of these is for a process that has done nothing else.
+
+struct ModelLoad {
+    double load_s = 0.0;          ///< until all of it is there to be drawn
     std::uint64_t triangles = 0;  ///< as they are drawn
 };
-/// Loads and captures, and keeps capture.png. In a process that has done nothing else.
-ModelCost measure_model_cost(const GlobalFlags& global, const ModelPoint& point);
+/// Throws Error where there is nothing to draw.
+ModelLoad measure_model_load(const ModelPoint& point);
+
+struct ModelCost {
+    double capture_s = 0.0;  ///< the whole capture: loading, a context, indirect light from nothing, the picture's file
+    double peak_mb = 0.0;    ///< the most that the process held
+};
+/// Keeps capture.png.
+ModelCost measure_model_capture(const GlobalFlags& global, const ModelPoint& point);
 
 /// Of irradiance, against the path-traced full transport; see ErrorMetrics.
 struct ModelErrors {
