@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/core/log.h"
+#include "engine/ecs/active_camera.h"
 #include "engine/ecs/components.h"
 #include "engine/ecs/query.h"
 #include "engine/ecs/scene_file.h"
@@ -51,7 +52,9 @@ Transform place_to_see(const Bounds& bounds) {
     return {.translation = dvec3(bounds.centre() - forward * (1.05f * distance)), .rotation = glm::normalize(glm::quat_cast(glm::transpose(view_from_world_turn)))};
 }
 
-Entity first_camera(World& world) {
+/// The active one, or the first: those of models begin inactive.
+Entity shown_camera(World& world) {
+    if (const Entity active = active_camera(world)) return active;
     for (auto [entity, camera] : Query<const Camera>(world)) return entity;
     return {};
 }
@@ -70,6 +73,14 @@ Bounds bounds_of_meshes(World& world) {
     return bounds;
 }
 
+std::size_t triangles_of_meshes(World& world) {
+    std::size_t triangles = 0;
+    Query<const MeshInstance>(world).each([&](const MeshInstance& instance) {
+        if (const MeshData* mesh = world.resource<MeshPool>().find(instance.mesh)) triangles += mesh->indices.size() / 3;
+    });
+    return triangles;
+}
+
 void add_model_scene(App& app, const std::filesystem::path& path) {
     app.world.add_resource(SceneInfo{.description = path.filename().string(), .path = path});
     app.world.create(Name{"model"}, Transform{}, ModelFile{.file = path.filename().string()});
@@ -86,7 +97,7 @@ void complete_model_scene(App& app) {
         world.create(Name{"sun"}, Transform{}, DirectionalLight{.colour = vec3(1.0f, 0.96f, 0.9f)}, SunAngles{.azimuth = 3.5f, .elevation = 0.8f});
         world.create(Name{"sky"}, SkyLight{});
     }
-    Entity camera = first_camera(world);
+    Entity camera = shown_camera(world);
     if (!camera) {
         if (!bounds.empty()) log::info("{}: it has no camera, so one was placed that sees all of it", path.string());
         camera = world.create(Name{"camera"}, bounds.empty() ? Transform{} : place_to_see(bounds), Camera{.fov_y = fov_y});

@@ -17,5 +17,7 @@ void complete_model_scene(App& app);
 
 /// In world space, of all meshes that are there once the systems have run.
 Bounds bounds_of_meshes(World& world);
+/// Of the same, each copy counted.
+std::size_t triangles_of_meshes(World& world);
 
 }  // namespace sl

@@ -20,6 +20,7 @@
 #include "engine/ecs/set_field.h"
 #include "engine/ecs/systems/load_models.h"
 #include "engine/render/data_folder.h"
+#include "game/camera_choice.h"
 #include "game/crystals/crystals.h"
 #include "game/gi_presets.h"
 #include "game/model_scene.h"
@@ -126,8 +127,9 @@ bool SceneOpening::advance(bool wait) {
         app.schedule.run(app.world);
         if (const auto faults = library.faults(); !faults.empty()) fail("{}", faults.front());
         if (!library.being_read().empty()) return false;
-        complete_model_scene(app);
     }
+    if (!choice_.camera.empty()) choose_camera(app.world, choice_.camera);
+    if (is_model_) complete_model_scene(app);
     if (!choice_.gi.empty()) choose_gi(app, choice_.gi);
     for (const std::string& assignment : choice_.sets) set_field(app.world, app.registry(), assignment);
     app.schedule.run(app.world);

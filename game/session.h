@@ -17,6 +17,7 @@ struct SceneChoice {
     std::string scene = "outdoor";   ///< a name from scene_names(), or the path of a scene file or model
     std::string gi;                  ///< "method" or "method:preset"; empty keeps the scene's own
     std::vector<std::string> sets;   ///< "component.field=value", applied in order after `gi`
+    std::string camera = {};         ///< its name, or its number from 0; empty keeps the scene's own, of a model the first
 
     /// Whether it says what indirect light is like.
     bool chooses_light() const;

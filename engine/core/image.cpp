@@ -5,13 +5,13 @@
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
-#include <cmath>
 #include <string_view>
 
 #include "engine/core/check.h"
 #include "engine/core/error.h"
 #include "engine/core/memory_reader.h"
 #include "engine/core/picture_header.h"
+#include "engine/core/png.h"
 #include "engine/core/text_file.h"
 
 namespace sl {
@@ -30,23 +30,12 @@ std::string first_line(const std::string& text) {
     return text.substr(0, text.find('\n'));
 }
 
-/// Encodes in memory and then replaces the file: the library does not notice a disk that is full.
-void write_image(const fs::path& path, const char* format, const OIIO::ImageSpec& spec,
-                 const OIIO::TypeDesc& type, const void* pixels) {
+void check_folder(const fs::path& path) {
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
     std::error_code ignored;
     if (!fs::is_directory(folder, ignored)) {
         fail("{}: cannot be written: there is no folder {}", path.string(), folder.string());
     }
-    OIIO::Filesystem::IOVecOutput memory;
-    const auto output = OIIO::ImageOutput::create(format);
-    if (!output || !output->set_ioproxy(&memory) || !output->open(path.filename().string(), spec) ||
-        !output->write_image(type, pixels) || !output->close()) {
-        fail("{}: cannot be written: {}", path.string(),
-             first_line(output ? output->geterror() : OIIO::geterror()));
-    }
-    const auto& bytes = memory.buffer();
-    write_text_file(path, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
 }
 
 std::vector<std::string> channel_names(const ImageLayer& layer) {
@@ -157,6 +146,7 @@ void split_layers(const OIIO::ImageSpec& spec, const std::vector<float>& pixels,
 
 void write_exr(const fs::path& path, const std::vector<ImageLayer>& layers, const std::string& note) {
     CHECK(!layers.empty(), "an EXR without layers");
+    check_folder(path);
     const Image& first = layers.front().image;
     OIIO::ImageSpec spec(static_cast<int>(first.width), static_cast<int>(first.height), 0,
                          OIIO::TypeDesc::FLOAT);
@@ -187,7 +177,16 @@ void write_exr(const fs::path& path, const std::vector<ImageLayer>& layers, cons
             pixels.insert(pixels.end(), begin, begin + layer.image.channels);
         }
     }
-    write_image(path, "exr", spec, OIIO::TypeDesc::FLOAT, pixels.data());
+    // Encoded in memory, and then the file is replaced: the library does not notice a disk that is full.
+    OIIO::Filesystem::IOVecOutput memory;
+    const auto output = OIIO::ImageOutput::create("exr");
+    if (!output || !output->set_ioproxy(&memory) || !output->open(path.filename().string(), spec) ||
+        !output->write_image(OIIO::TypeDesc::FLOAT, pixels.data()) || !output->close()) {
+        fail("{}: cannot be written: {}", path.string(),
+             first_line(output ? output->geterror() : OIIO::geterror()));
+    }
+    const auto& bytes = memory.buffer();
+    write_text_file(path, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
 }
 
 std::vector<ImageLayer> read_exr(const fs::path& path) {
@@ -202,18 +201,8 @@ std::vector<ImageLayer> read_exr(const fs::path& path) {
 std::string read_exr_note(const fs::path& path) { return std::string(open_exr(path).input->spec().get_string_attribute(note_name)); }
 
 void write_png(const fs::path& path, const Image& image) {
-    CHECK(image.width > 0 && image.height > 0 && image.channels >= 1 && image.channels <= 4,
-          "a PNG of {} x {} x {}", image.width, image.height, image.channels);
-    OIIO::ImageSpec spec(static_cast<int>(image.width), static_cast<int>(image.height),
-                         static_cast<int>(image.channels), OIIO::TypeDesc::UINT8);
-    spec.attribute("oiio:ColorSpace", "sRGB");
-    spec.attribute("oiio:UnassociatedAlpha", 1);
-    std::vector<std::uint8_t> bytes(image.data.size());
-    std::transform(image.data.begin(), image.data.end(), bytes.begin(), [](float value) {
-        const float inside = value > 0.0f ? std::min(value, 1.0f) : 0.0f;  // not a number becomes 0
-        return static_cast<std::uint8_t>(std::lround(inside * 255.0f));
-    });
-    write_image(path, "png", spec, OIIO::TypeDesc::UINT8, bytes.data());
+    check_folder(path);
+    write_text_file(path, png_bytes(image));
 }
 
 Image read_png(const fs::path& path) {

@@ -25,9 +25,6 @@ struct GiBenchFlags {
     std::uint32_t rounds = 0, spp = 0;
 };
 
-/// Drawn without anti-aliasing: the references' samples go through pixel centres.
-constexpr const char* no_antialiasing = "camera.antialias=false";
-
 SceneChoice choice_of(const std::string& scene, const BenchCandidate& candidate) {
     SceneChoice choice{.scene = scene, .gi = candidate.method, .sets = candidate.assignments()};
     choice.sets.push_back(no_antialiasing);

@@ -5,6 +5,7 @@
 
 #include "engine/core/error.h"
 #include "engine/render/displayable.h"
+#include "engine/render/passes/exposure.h"
 #include "engine/render/reference/reference.h"
 #include "engine/render/reference/reference_file.h"
 #include "engine/render/scene/extract.h"
@@ -50,6 +51,16 @@ Truth truth_of(const Film& film, bool lights_only, std::vector<float>& mask) {
             .noise = noise_of_halves(layer_of(layers, "irradiance"), layer_of(layers, "irradiance_half"), mask)};
 }
 
+/// As the view's camera shows it.
+Image picture_of(const Film& film, const RenderScene::View& view) {
+    const Image radiance = film.layers().front().image;
+    return displayable("hdr", radiance, exposure_for(view, radiance));
+}
+
+std::filesystem::path file_of(const SceneChoice& choice, uvec2 size, const char* kind, const std::filesystem::path& folder) {
+    return folder / fmt::format("{}_{}x{}_{}.exr", std::filesystem::path(choice.scene).stem().string(), size.x, size.y, kind);
+}
+
 }  // namespace
 
 ViewTruths make_truths(const SceneChoice& choice, uvec2 size, std::uint32_t spp, const std::filesystem::path& folder, const std::function<void(double)>& tell) {
@@ -59,8 +70,7 @@ ViewTruths make_truths(const SceneChoice& choice, uvec2 size, std::uint32_t spp,
     if (!scene.view) fail("scene '{}' has no active camera to measure from", choice.scene);
     const auto make = [&](const char* kind, TransportSettings transport, double before) {
         transport.pixel_area = false;
-        const auto file = folder / fmt::format("{}_{}x{}_{}.exr", std::filesystem::path(choice.scene).stem().string(), size.x, size.y, kind);
-        return film_of(scene, choice.scene, size, transport, spp, file, [&](double share) { tell(before + share / 3.0); });
+        return film_of(scene, choice.scene, size, transport, spp, file_of(choice, size, kind, folder), [&](double share) { tell(before + share / 3.0); });
     };
     ViewTruths truths;
     const RenderScene whole = scene;
@@ -72,8 +82,20 @@ ViewTruths make_truths(const SceneChoice& choice, uvec2 size, std::uint32_t spp,
     scene = whole;
     const Film full = make("full", {}, 2.0 / 3.0);
     truths.full = truth_of(full, false, truths.mask);
-    truths.picture = displayable("hdr", full.layers().front().image, scene.view->exposure());
+    truths.picture = picture_of(full, *scene.view);
     return truths;
+}
+
+FullTruth make_full_truth(const SceneChoice& choice, uvec2 size, std::uint32_t spp, const std::filesystem::path& folder) {
+    App app = open_scene(choice);
+    RenderScene scene;
+    extract(app.world, scene);
+    if (!scene.view) fail("scene '{}' has no active camera to measure from", choice.scene);
+    const Film film = film_of(scene, choice.scene, size, {.pixel_area = false}, spp, file_of(choice, size, "full", folder), [](double) {});
+    FullTruth full;
+    full.truth = truth_of(film, false, full.mask);
+    full.picture = picture_of(film, *scene.view);
+    return full;
 }
 
 Drawn draw_once(const SceneChoice& choice, Renderer& renderer, uvec2 size, const Executor::OnStep& on_step) {

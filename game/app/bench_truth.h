@@ -28,6 +28,18 @@ struct ViewTruths {
 /// Makes or continues the references of a scene in `folder`, one EXR each. `tell` gets a share of this work, 0 to 1.
 ViewTruths make_truths(const SceneChoice& choice, uvec2 size, std::uint32_t spp, const std::filesystem::path& folder, const std::function<void(double)>& tell);
 
+/// What one view holds in truth, all transport counted.
+struct FullTruth {
+    Truth truth;
+    Image picture;            ///< exposed like the camera's, adapted where that adapts
+    std::vector<float> mask;  ///< 0 where there is no surface
+};
+/// Makes or continues the reference of all transport alone; as make_truths.
+FullTruth make_full_truth(const SceneChoice& choice, uvec2 size, std::uint32_t spp, const std::filesystem::path& folder);
+
+/// What is compared is drawn with this: the references' samples go through pixel centres.
+inline constexpr const char* no_antialiasing = "camera.antialias=false";
+
 /// A scene drawn by a method: irradiance, and the picture.
 struct Drawn {
     Image irradiance, picture;

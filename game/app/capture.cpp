@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <chrono>
+
 #include "engine/core/error.h"
 #include "engine/core/log.h"
 #include "engine/render/capture.h"
@@ -21,8 +23,18 @@ struct CaptureFlags {
     bool stats = false;
 };
 
-void print_stats(App& app, Headless& headless, const Capture& captured) {
+using Watch = std::chrono::steady_clock;
+
+/// How long it took, s.
+struct CaptureTimes {
+    double opening = 0.0, drawing = 0.0;
+};
+
+double seconds_since(Watch::time_point start) { return std::chrono::duration<double>(Watch::now() - start).count(); }
+
+void print_stats(App& app, Headless& headless, const Capture& captured, const CaptureTimes& times) {
     const auto& voxels = app.world.resource<VoxelStats>();
+    fmt::print("{:<28}{}\n", "to open the scene, to draw", fmt::format("{:.2f} s, {:.2f} s", times.opening, times.drawing));
     fmt::print("{:<28}{}\n", "triangles drawn, culled",
                fmt::format("{}, {}", captured.result.triangles_drawn, captured.result.triangles_culled));
     fmt::print("{:<28}{}\n", "voxel chunks, blocks", fmt::format("{}, {}", voxels.chunks, voxels.total.blocks));
@@ -43,19 +55,24 @@ int run_capture(const GlobalFlags& global, const CaptureFlags& flags) {
     }
     check_output(flags.png, ".png");
     check_output(flags.exr, ".exr");
+    CaptureTimes times;
+    const auto opening = Watch::now();
     App app = open_scene(flags.choice);
+    times.opening = seconds_since(opening);
     if (flags.print_schedule) fmt::print("{}", app.schedule.describe());
     Headless headless(global);
     headless.renderer.executor().set_timing(flags.stats);
     Progress progress(fmt::format("capturing {}", flags.choice.scene));
+    const auto drawing = Watch::now();
     const Capture captured = capture(app, headless.renderer,
                                      {.width = size.x, .height = size.y, .frame = flags.frame, .show = flags.show,
                                       .layers = !flags.exr.empty(), .keep_refined = flags.stats,
                                       .on_step = [&](std::size_t step, std::size_t steps, const std::string&) { progress.update(step, steps); }});
+    times.drawing = seconds_since(drawing);
     if (captured.empty) log::warn("scene '{}' has no active camera: the picture is black", flags.choice.scene);
     if (flags.print_graph == "table") fmt::print("{}", headless.renderer.graph().table(headless.renderer.steps()));
     if (flags.print_graph == "mermaid") fmt::print("{}", headless.renderer.graph().mermaid(headless.renderer.steps()));
-    if (flags.stats) print_stats(app, headless, captured);
+    if (flags.stats) print_stats(app, headless, captured, times);
     if (!flags.png.empty()) write_png(flags.png, captured.picture);
     if (!flags.exr.empty()) write_exr(flags.exr, captured.layers);
     headless.check_errors();
@@ -78,7 +95,7 @@ void add_capture_command(const Flags& program, const GlobalFlags& global) {
     command.add("--show", flags->show, "An image of the frame instead of the picture (see `secondlight list passes`), e.g. irradiance or rsm_flux.0");
     command.add_or_alone("--print-graph", flags->print_graph, "table", "Print the compiled frame graph: table or mermaid");
     command.toggle("--print-schedule", flags->print_schedule, "Print stages, systems, and what they read, write and wait for");
-    command.toggle("--stats", flags->stats, "Print triangles, memory, GPU time per pass, and the share of pixels gathered in full");
+    command.toggle("--stats", flags->stats, "Print how long it took to open the scene and to draw, triangles, memory, GPU time per pass, and the share of pixels gathered in full");
     command.runs([&global, flags] { return run_capture(global, *flags); });
 }
 

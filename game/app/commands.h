@@ -26,8 +26,10 @@ void add_bench_growth_command(const Flags& bench, const GlobalFlags& flags);
 void add_bench_motion_command(const Flags& bench, const GlobalFlags& flags);
 void add_bench_flight_command(const Flags& bench, const GlobalFlags& flags);
 void add_bench_gi_command(const Flags& bench, const GlobalFlags& flags);
+void add_bench_models_command(const Flags& bench, const GlobalFlags& flags);
 void add_bench_rays_command(const Flags& bench);
 void add_export_command(const Flags& program);
+void add_generate_command(const Flags& program);
 void add_inspect_command(const Flags& program);
 void add_schema_command(const Flags& program);
 void add_reference_command(const Flags& program);
@@ -39,7 +41,7 @@ void add_compare_command(const Flags& program);
 Program whole_program(GlobalFlags& flags);
 
 inline constexpr const char* scene_flag_help = "Scene by name (see `secondlight list scenes`), or path of a scene file or of a model (.gltf, .glb, .vox); the flag may be left out";
-/// The flags --scene, --gi and --set that several commands share.
+/// The flags --scene, --camera, --gi and --set that several commands share.
 void add_scene_flags(const Flags& command, SceneChoice& choice);
 /// --gi and --set alone.
 void add_setting_flags(const Flags& command, SceneChoice& choice);

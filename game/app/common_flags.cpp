@@ -9,6 +9,7 @@ namespace sl {
 
 void add_scene_flags(const Flags& command, SceneChoice& choice) {
     command.add("--scene,PATH", choice.scene, scene_flag_help);
+    command.add("--camera", choice.camera, "Which of its cameras, by name or by number from 0; default: the scene's own, of a model the first");
     add_setting_flags(command, choice);
 }
 

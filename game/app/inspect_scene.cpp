@@ -56,14 +56,6 @@ bool is_light(const FieldRow& row) {
 
 bool is_file(const FieldRow& row) { return row.type == "file" && !row.value.empty(); }
 
-std::size_t triangles_of_meshes(World& world) {
-    std::size_t triangles = 0;
-    Query<const MeshInstance>(world).each([&](const MeshInstance& instance) {
-        if (const MeshData* mesh = world.resource<MeshPool>().find(instance.mesh)) triangles += mesh->indices.size() / 3;
-    });
-    return triangles;
-}
-
 /// Of all models that are shown.
 std::set<std::string> model_warnings(World& world) {
     std::set<std::string> warnings;

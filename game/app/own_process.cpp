@@ -112,6 +112,14 @@ double resident_megabytes() {
     return 1e-6 * resident * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
+double peak_megabytes() {
+    std::ifstream status("/proc/self/status");
+    for (std::string line; std::getline(status, line);) {
+        if (line.starts_with("VmHWM:")) return 1.024e-3 * std::stod(line.substr(line.find(':') + 1));
+    }
+    return resident_megabytes();
+}
+
 double allocated_megabytes() {
     const struct mallinfo2 info = mallinfo2();
     return 1e-6 * static_cast<double>(info.uordblks + info.hblkhd);

@@ -26,6 +26,9 @@ void keep_little_memory();
 /// Memory that this process holds, in MB of 10⁶ bytes.
 double resident_megabytes();
 
+/// The most that it ever held.
+double peak_megabytes();
+
 /// What of it was asked for and not given back, in MB of 10⁶ bytes; the rest is kept by the allocator, and code.
 double allocated_megabytes();
 

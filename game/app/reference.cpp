@@ -6,6 +6,7 @@
 #include "engine/core/error.h"
 #include "engine/core/log.h"
 #include "engine/render/displayable.h"
+#include "engine/render/passes/exposure.h"
 #include "engine/render/reference/reference.h"
 #include "engine/render/reference/reference_file.h"
 #include "engine/render/scene/extract.h"
@@ -83,8 +84,9 @@ Film film_to_continue(const ReferenceFlags& flags, const ReferenceInfo& info, co
     return std::move(file.film);
 }
 
-void write_picture(const std::string& path, const Film& film, float exposure) {
-    write_png(path, displayable("hdr", film.layers().front().image, exposure));
+void write_picture(const std::string& path, const Film& film, const RenderScene::View& view) {
+    const Image radiance = film.layers().front().image;
+    write_png(path, displayable("hdr", radiance, exposure_for(view, radiance)));
 }
 
 int run_reference(const ReferenceFlags& flags) {
@@ -114,7 +116,7 @@ int run_reference(const ReferenceFlags& flags) {
     const double rate = done.seconds > 0.0 ? static_cast<double>(done.rays) / done.seconds * 1e-6 : 0.0;
     fmt::print("{}: {} samples a pixel, noise at most {:.3f} % of the mean irradiance; {:.1f} s, {:.1f} million rays, {:.2f} million a second\n", flags.output,
                done.samples, 100.0 * done.noise, done.seconds, static_cast<double>(done.rays) * 1e-6, rate);
-    if (!flags.png.empty()) write_picture(flags.png, film, scene.view->exposure());
+    if (!flags.png.empty()) write_picture(flags.png, film, *scene.view);
     if (stop_wanted == 0) return 0;
     fmt::print(stderr, "stopped; the same command continues {}\n", flags.output);
     return 128 + stop_wanted;

@@ -21,6 +21,7 @@ Program whole_program(GlobalFlags& flags) {
                 add_tour_command(line, flags);
                 add_list_command(line, flags);
                 add_export_command(line);
+                add_generate_command(line);
                 add_inspect_command(line);
                 add_schema_command(line);
                 add_reference_command(line);
@@ -35,6 +36,7 @@ Program whole_program(GlobalFlags& flags) {
                 add_bench_motion_command(bench, flags);
                 add_bench_flight_command(bench, flags);
                 add_bench_gi_command(bench, flags);
+                add_bench_models_command(bench, flags);
                 add_bench_rays_command(bench);
             },
         .unnamed = [] { return has_display() ? "play" : "tour"; },

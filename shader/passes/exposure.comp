@@ -8,18 +8,16 @@ layout(std140) uniform Params { ExposureParams params; };
 layout(std430) buffer Exposure { float ev; };
 uniform sampler2D hdr;
 
-const uint samples = 3u;  // per invocation and axis
+const uint samples = metered_points / 16u;  // per invocation and axis
 shared vec2 sums[256];    // weighted logarithm, weight
 
 void main() {
     vec2 sum = vec2(0.0);
     for (uint i = 0u; i < samples * samples; ++i) {
-        vec2 at = (vec2(gl_LocalInvocationID.xy * samples + uvec2(i % samples, i / samples)) + 0.5) / float(16u * samples);
+        vec2 at = (vec2(gl_LocalInvocationID.xy * samples + uvec2(i % samples, i / samples)) + 0.5) / float(metered_points);
         float light = dot(texelFetch(hdr, ivec2(at * vec2(textureSize(hdr, 0))), 0).rgb, vec3(0.2126, 0.7152, 0.0722));
-        vec2 off = at - 0.5;
-        float weight = exp2(-8.0 * dot(off, off));
-        // What is black as night says nothing, and what is no number would stay for ever.
-        if (light > 1e-6 && light < 1e9) sum += weight * vec2(log2(light), 1.0);
+        float weight = metering_weight(at, light);
+        if (weight > 0.0) sum += weight * vec2(log2(light), 1.0);
     }
     uint mine = gl_LocalInvocationIndex;
     sums[mine] = sum;

@@ -10,6 +10,16 @@ struct ExposureParams {
     vec4 adapt;  ///< x: share of the way that this frame goes; y: EV that stays as it is; z, w: least and greatest EV
 };
 
+/// Points of a picture that its exposure is measured at, along each side.
+const uint metered_points = 48u;
+
+/// How much a point counts, at 0 to 1 of the picture's sides: the middle most. What is black as night says nothing, and what is
+/// no number would stay for ever.
+SHARED_FN float metering_weight(vec2 at, float luminance) {
+    vec2 off = at - vec2(0.5f);
+    return luminance > 1e-6f && luminance < 1e9f ? exp2(-8.0f * dot(off, off)) : 0.0f;
+}
+
 /// 1 / (1.2 · 2^EV100), as cameras define it (ISO 2720).
 SHARED_FN float exposure_of(float ev100) { return 1.0f / (1.2f * exp2(ev100)); }
 

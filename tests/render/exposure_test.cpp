@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "engine/render/passes/exposure.h"
+#include "shared/tonemap.h"
 #include "tests/support/gl_test.h"
 #include "tests/support/scene_builder.h"
 
@@ -37,6 +39,17 @@ TEST_F(AutoExposure, ShowsTheFirstPictureAtOnce) {
     EXPECT_GT(dim, 0.1f);
     EXPECT_LT(bright, 0.9f);
     EXPECT_LT(dim, bright) << "the dark is seen to be dark";
+}
+
+TEST_F(AutoExposure, IsToldOfAPictureThatIsThere) {
+    for (const float nit : {0.5f, 30.0f, 2e4f}) {
+        renderer.forget();
+        Image radiance(33, 21, 3);
+        std::ranges::fill(radiance.data, nit);
+        EXPECT_NEAR(shown(nit), display_from_radiance(vec3(nit), exposure_for(*builder.scene().view, radiance)).x, 0.005f) << nit;
+    }
+    builder.scene().view->auto_exposure = false;
+    EXPECT_EQ(exposure_for(*builder.scene().view, Image(1, 1, 3)), builder.scene().view->exposure());
 }
 
 TEST_F(AutoExposure, TakesItsTimeWhateverTheFrameRate) {
