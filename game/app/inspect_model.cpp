@@ -45,8 +45,8 @@ std::size_t bytes_of(const Model& model) {
     for (const ModelImage& image : model.images) bytes += image.bytes.size();
     for (const ModelMesh& mesh : model.meshes) {
         for (const ModelPrimitive& primitive : mesh.primitives) {
-            bytes += primitive.mesh.vertices.size() * sizeof(Vertex) + primitive.mesh.indices.size() * sizeof(std::uint32_t) + primitive.joints.size() * sizeof(ModelJoints);
-            for (const ModelMorph& morph : primitive.morphs) bytes += (morph.positions.size() + morph.normals.size()) * sizeof(vec3);
+            bytes += primitive.mesh.vertices.size() * sizeof(Vertex) + primitive.mesh.pictured.size() * sizeof(PicturedVertex) + primitive.mesh.indices.size() * sizeof(std::uint32_t) + primitive.joints.size() * sizeof(ModelJoints);
+            for (const ModelMorph& morph : primitive.morphs) bytes += (morph.positions.size() + morph.normals.size() + morph.tangents.size()) * sizeof(vec3);
         }
     }
     return bytes;

@@ -9,7 +9,7 @@ SHARED_BEGIN
 struct DrawParams {
     mat4 world_from_local;
     mat4 normal_from_local;  ///< cofactors of the linear part: turns normals right under any scale or mirror
-    uvec4 first_material;    ///< x: row that Vertex.material counts from
+    uvec4 first_material;    ///< x: row that Vertex.material counts from; y: 1 where world_from_local mirrors
 };
 
 /// One surface.

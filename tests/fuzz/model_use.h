@@ -23,6 +23,8 @@ inline void use_model(const Model& model) {
     for (const ModelMesh& mesh : model.meshes) {
         for (const ModelPrimitive& primitive : mesh.primitives) {
             for (const Vertex& vertex : primitive.mesh.vertices) is_finite(vertex.position.x, vertex.position.y, vertex.position.z, vertex.uv.x, vertex.uv.y);
+            for (const PicturedVertex& vertex : primitive.mesh.pictured) is_finite(vertex.uv.x, vertex.uv.y, vertex.hand);
+            CHECK(primitive.mesh.pictured.empty() || primitive.mesh.pictured.size() == primitive.mesh.vertices.size(), "{} pictured vertices of {}", primitive.mesh.pictured.size(), primitive.mesh.vertices.size());
             is_one_of(primitive.material, model.materials.size(), "material");
             for (const std::uint32_t index : primitive.mesh.indices) CHECK(index < primitive.mesh.vertices.size(), "vertex {} of {}", index, primitive.mesh.vertices.size());
         }

@@ -90,6 +90,11 @@ mat4 placed(const WorldTransform& transform, const dvec3& origin) {
     return world_from_local;
 }
 
+bool lie_apart(const PictureParams& pictures) {
+    const auto elsewhere = [&](const PicturePlace& place) { return place.axes != pictures.colour.axes || place.offset != pictures.colour.offset; };
+    return pictures.layers.w != no_texture || pictures.second != uvec4(0) || elsewhere(pictures.emission) || elsewhere(pictures.data);
+}
+
 void extract_draws(World& world, RenderScene& scene) {
     scene.draws.clear();
     scene.bounds = {};
@@ -117,6 +122,7 @@ void extract_draws(World& world, RenderScene& scene) {
         if (draw.first_material < scene.materials.size()) {
             const auto& pictures = scene.materials[draw.first_material].pictures;
             draw.pictured = pictures.has_value();
+            draw.apart = draw.pictured && lie_apart(*pictures);
             draw.open = draw.pictured && pictures->alpha.y != 0.0f;
         }
         // Where it is in the world: the origin may step on.
