@@ -103,7 +103,7 @@ SceneInputs GpuScene::upload(FrameGraph& graph, const RenderScene& scene, const 
     // A mesh that no draw names any more has left the scene.
     std::erase_if(meshes_, [&](const auto& entry) { return entry.second.used_in != frame_; });
 
-    const MaterialRows rows = material_rows(scene.materials);
+    const MaterialRows rows = material_rows(scene);
     draws_.upload(draws, "draws");
     materials_.upload(rows.materials, "materials");
     pictures_.upload(rows.pictures, "pictures");

@@ -25,6 +25,7 @@ std::string told(const ModelMaterial& material) {
     if (material.alpha_mode == ModelMaterial::Alpha::mask) text += fmt::format(", cut out below {:.2f}", material.alpha_cutoff);
     if (material.alpha_mode == ModelMaterial::Alpha::blend) text += ", see-through";
     if (material.two_sided) text += ", two-sided";
+    if (material.unlit) text += ", unlit";
     for (const auto& [texture, name] : {std::pair{&material.base_colour_texture, "colour"}, {&material.metallic_roughness_texture, "metallic and roughness"},
                                         {&material.normal_texture, "normal"}, {&material.emission_texture, "glow"}}) {
         if (*texture) text += fmt::format(", {} from image {}", name, texture->image);
@@ -52,6 +53,16 @@ std::size_t bytes_of(const Model& model) {
     return bytes;
 }
 
+/// What the file holds and nobody reads, besides what was wrong.
+std::vector<std::string> ignored_of(const Model& model) {
+    std::vector<std::string> ignored = model.warnings;
+    for (std::size_t i = 0; i < model.materials.size(); ++i) {
+        if (model.materials[i].occlusion_texture)
+            ignored.push_back(fmt::format("/materials/{}/occlusionTexture: where little light arrives, it is dark without it", i));
+    }
+    return ignored;
+}
+
 }  // namespace
 
 void inspect_model(const std::filesystem::path& path) {
@@ -69,7 +80,7 @@ void inspect_model(const std::filesystem::path& path) {
     const Bounds bounds = bounds_of(model, model.scene);
     print_bounds(bounds);
     fmt::print("memory: {:.1f} MB\n", static_cast<double>(bytes_of(model)) / 1e6);
-    print_part("ignored", model.warnings, [](const std::string& warning) { return warning; });
+    print_part("ignored", ignored_of(model), [](const std::string& warning) { return warning; });
 }
 
 }  // namespace sl

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A fragment's material where each of its pictures lies in its own way, and one may tilt its normal.
+// A fragment's material where each of its pictures lies in its own way, one may tilt its normal, or it is unlit.
 #include "lib/picture_colours.glsl"
 
 uniform sampler2DArray picture_data;
@@ -27,7 +27,7 @@ MaterialParams pictured_fragment() {
     vec3 emission = texel_of(picture_colours, params.layers.y, params.second.y, params.emission, params.alpha.z).rgb;
     vec3 data = texel_of(picture_data, params.layers.z, params.second.z, params.data, params.alpha.z).rgb;
     discard_where_open(params, params.alpha.x * colour.a);
-    return pictured_material(material, colour.rgb, emission, data);
+    return unlit_material(pictured_material(material, colour.rgb, emission, data));
 }
 
 /// The fragment's normal with its normal texture; `flat_normal` is that of its vertices, unit.

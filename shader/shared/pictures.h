@@ -3,6 +3,7 @@
 
 #include "shared/octahedral.h"
 #include "shared/scene.h"
+#include "shared/tonemap.h"
 
 SHARED_BEGIN
 
@@ -48,6 +49,15 @@ SHARED_FN vec2 picture_inside(PicturePlace place, vec2 at, float half_texel) {
 SHARED_FN MaterialParams pictured_material(MaterialParams material, vec3 colour, vec3 emission, vec3 data) {
     material.base_colour = vec4(vec3(material.base_colour) * colour, material.base_colour.w * data.y);
     material.emission = vec4(vec3(material.emission) * emission, material.emission.w * data.z);
+    return material;
+}
+
+/// A material as light and the camera meet it: one that is unlit is black and gives off its colour, which only the camera may see.
+SHARED_FN MaterialParams unlit_material(MaterialParams material) {
+    if (material.specular.y <= 0.0f) { return material; }
+    material.emission = vec4(unlit_radiance(vec3(material.base_colour), material.specular.y), 0.0f);
+    material.base_colour = vec4(0.0f, 0.0f, 0.0f, 1.0f);
+    material.specular = vec4(0.0f, material.specular.y, 0.0f, 0.0f);
     return material;
 }
 

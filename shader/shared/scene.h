@@ -16,7 +16,7 @@ struct DrawParams {
 struct MaterialParams {
     vec4 base_colour;  ///< rgb linear; a: roughness
     vec4 emission;     ///< rgb nit; a: metallic
-    vec4 specular;     ///< x: dielectric specular factor
+    vec4 specular;     ///< x: dielectric specular factor; y: where it is unlit, nit that the camera exposes as 1, else 0
     uvec4 texture;     ///< x: layer of the texture array, or no_texture; y: one more than its row of pictures, or 0
 };
 

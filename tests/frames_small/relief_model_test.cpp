@@ -1,36 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Normal textures, and pictures that lie each in its own way: what is drawn is what is traced.
-#include "engine/core/image.h"
-#include "engine/render/capture.h"
-#include "engine/render/gl/context.h"
-#include "engine/render/scene/extract.h"
-#include "engine/render/trace/path_tracer.h"
-#include "game/session.h"
-#include "tests/model/model_fixture.h"
+#include "tests/frames_small/square_model.h"
 
 namespace sl {
 namespace {
 
-constexpr std::uint32_t side = 60;
-/// 4 x 4 places, each in the middle of a texel of a picture of 4 x 4 that fills the view.
-constexpr std::uint32_t place_of(std::uint32_t texel) { return 7 + 15 * texel; }
-
-class ReliefModelTest : public ModelTest {
+class ReliefModelTest : public SquareModelTest {
   protected:
-    /// A picture of 4 x 4 squares.
-    void add_picture(const char* name, const std::function<vec3(std::uint32_t, std::uint32_t)>& colour) {
-        Image picture(4, 4, 4);
-        for (std::uint32_t y = 0; y < 4; ++y) {
-            for (std::uint32_t x = 0; x < 4; ++x) {
-                const vec3 at = colour(x, y);
-                for (std::uint32_t k = 0; k < 4; ++k) picture.pixel(x, y)[k] = k < 3 ? at[static_cast<int>(k)] : 1.0f;
-            }
-        }
-        write_png(folder / name, picture);
-        json["images"].push_back({{"uri", name}});
-        json["samplers"] = {{{"magFilter", 9728}}};
-        json["textures"].push_back({{"source", json["images"].size() - 1}, {"sampler", 0}});
-    }
     /// Directions that lean to all sides, others in each square.
     static vec3 lean(std::uint32_t x, std::uint32_t y) {
         const float angle = 0.7f + 2.1f * static_cast<float>(x) + 1.3f * static_cast<float>(y), tilt = 0.15f + 0.1f * static_cast<float>((x + y) % 4);
@@ -38,52 +14,6 @@ class ReliefModelTest : public ModelTest {
     }
     void add_normals() {
         add_picture("normals.png", [](std::uint32_t x, std::uint32_t y) { return lean(x, y) * 0.5f + 0.5f; });
-    }
-    void show_square(Json material, const Json& node = Json::object()) {
-        json["materials"] = {material};
-        show(square({{"material", 0}}));
-        json["nodes"].back().update(node);
-    }
-    /// The picture is filled by the square.
-    static void look(App& app, vec3 eye) {
-        auto& transform = app.world.get<Transform>(active_camera(app.world));
-        transform.translation = dvec3(eye);
-        transform.rotation = glm::quat_cast(glm::transpose(mat3(view_from_world(eye, vec3(0.5f, 0.5f, 0.0f) - eye, vec3(0, 1, 0)))));
-        auto& camera = app.world.get<Camera>(active_camera(app.world));
-        camera.fov_y = 2.0f * std::atan(0.5f / glm::length(vec3(0.5f, 0.5f, 0.0f) - eye));
-        camera.auto_exposure = false;
-    }
-    struct Seen {
-        std::map<std::string, Image> layers;
-        vec3 at(const std::string& layer, std::uint32_t x, std::uint32_t y) {
-            const float* pixel = layers.at(layer).pixel(place_of(x), place_of(y));
-            return {pixel[0], pixel[1], pixel[2]};
-        }
-    };
-    Seen drawn(const std::filesystem::path& file, vec3 eye, const char* gi = "off") {
-        Seen seen;
-        auto context = gl::create_context(gl::ContextKind::egl);
-        {
-            Renderer renderer(shader_folder());
-            App app = open_scene({.scene = file.string(), .gi = gi});
-            look(app, eye);
-            for (ImageLayer& layer : capture(app, renderer, {.width = side, .height = side, .layers = true}).layers) seen.layers[layer.name] = std::move(layer.image);
-        }
-        EXPECT_TRUE(context->errors().empty());
-        return seen;
-    }
-    struct Traced {
-        RenderScene scene;
-        std::unique_ptr<PathTracer> tracer;
-    };
-    static Traced traced(const std::filesystem::path& file, vec3 eye) {
-        Traced result;
-        App app = open_scene({.scene = file.string()});
-        look(app, eye);
-        app.schedule.run(app.world);
-        extract(app.world, result.scene);
-        result.tracer = std::make_unique<PathTracer>(result.scene, uvec2(side), TransportSettings{.bounces = 0, .pixel_area = false});
-        return result;
     }
     /// Normals that are drawn, and that rays find, against those that the file asks for; returns how far off they are at most.
     float most_off(const std::filesystem::path& file, vec3 eye, const std::function<vec3(std::uint32_t, std::uint32_t)>& expected) {
@@ -100,7 +30,6 @@ class ReliefModelTest : public ModelTest {
     }
     /// Two bytes of a picture lean this far: 2 / 255 / 2 each, and a little for what is smoothed on the way.
     static constexpr float byte = 0.012f;
-    const Json matte{{"metallicFactor", 0}};
 };
 
 TEST_F(ReliefModelTest, NormalsLeanAsTheTextureSays) {

@@ -16,7 +16,7 @@ inline void use_model(const Model& model) {
     const auto is_finite = [](auto... numbers) { CHECK((std::isfinite(numbers) && ...), "a number is none"); };
     for (const ModelMaterial& material : model.materials) {
         is_finite(material.base_colour.x, material.alpha, material.metallic, material.roughness, material.specular, material.emission.x, material.normal_scale, material.alpha_cutoff);
-        for (const ModelTexture* texture : {&material.base_colour_texture, &material.metallic_roughness_texture, &material.normal_texture, &material.emission_texture}) {
+        for (const ModelTexture* texture : {&material.base_colour_texture, &material.metallic_roughness_texture, &material.normal_texture, &material.emission_texture, &material.occlusion_texture}) {
             is_one_of(texture->image, model.images.size(), "image");
         }
     }

@@ -88,14 +88,21 @@ class MaterialReader {
         material.two_sided = gltf_flag_at(from, "doubleSided");
         uv_sets_.clear();
         material.base_colour_texture = texture(pbr, "baseColorTexture");
+        material.unlit = gltf_extension(from, "KHR_materials_unlit") != nullptr;
+        if (material.unlit) return with_coordinates(material);
         material.metallic_roughness_texture = texture(pbr, "metallicRoughnessTexture");
         material.normal_texture = texture(from, "normalTexture");
         material.emission_texture = texture(from, "emissiveTexture");
+        material.occlusion_texture.image = image_of(gltf_part(from, "occlusionTexture")).value_or(-1);
+        return with_coordinates(material);
+    }
+
+  private:
+    ModelMaterial with_coordinates(ModelMaterial material) const {
         if (!uv_sets_.empty()) material.uv_sets = {uv_sets_.front(), uv_sets_.back()};
         return material;
     }
 
-  private:
     /// Whether a texture reads the second of the material's coordinates. The first are those of its first texture: where that
     /// is the base colour, whoever reads this alone needs no others.
     bool is_second(std::size_t set, std::string_view slot) {
@@ -109,19 +116,27 @@ class MaterialReader {
         return set != uv_sets_.front();
     }
 
+    /// The image that a texture reads, where there is one.
+    std::optional<std::int32_t> image_of(const json& info) const {
+        const auto index = gltf_find_whole(info, "index");
+        if (!index) return std::nullopt;
+        const json* webp = gltf_extension(textures_[*index], "EXT_texture_webp");
+        const auto source = gltf_find_whole(webp ? *webp : textures_[*index], "source");
+        return source ? std::optional(static_cast<std::int32_t>(*source)) : std::nullopt;
+    }
+
     ModelTexture texture(const json& owner, std::string_view slot) {
         const json& info = gltf_part(owner, slot);
         const auto index = gltf_find_whole(info, "index");
         if (!index) return {};
         const json& texture = textures_[*index];
-        const json* webp = gltf_extension(texture, "EXT_texture_webp");
-        const auto source = gltf_find_whole(webp ? *webp : texture, "source");
-        if (!source) {
+        const auto image = image_of(info);
+        if (!image) {
             reader_.warn(fmt::format("{}/{}", where_, slot),
                          fmt::format("its texture {} has no picture that can be read", *index));
             return {};
         }
-        ModelTexture result{.image = static_cast<std::int32_t>(*source)};
+        ModelTexture result{.image = *image};
         const json* transform = gltf_extension(info, "KHR_texture_transform");
         const std::size_t own_set = gltf_whole_at(info, "texCoord", 0),
                           set = transform ? gltf_whole_at(*transform, "texCoord", own_set) : own_set;

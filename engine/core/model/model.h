@@ -44,10 +44,12 @@ struct ModelMaterial {
     Alpha alpha_mode = Alpha::opaque;
     float alpha_cutoff = 0.5f;
     bool two_sided = false;
+    bool unlit = false;                        ///< base colour and alpha alone count, whatever light there is
     ModelTexture base_colour_texture;          ///< sRGB, alpha
     ModelTexture metallic_roughness_texture;   ///< green: roughness, blue: metallic
     ModelTexture normal_texture;               ///< right, up and out of the surface as red, green, blue; 0 is -1
     ModelTexture emission_texture;             ///< sRGB
+    ModelTexture occlusion_texture;            ///< red; for renderers that do not reckon how little light reaches corners
     /// Which of a mesh's texture coordinates (TEXCOORD_n) are its first and its second; one number twice where it has one alone.
     std::array<std::size_t, 2> uv_sets{0, 0};
 

@@ -146,7 +146,7 @@ class ModelLoader {
         for (std::size_t i = 0; i < model.materials.size(); ++i) {
             auto params = pictures.materials[i];
             if (params) params->layers += uvec4(params->layers.x == no_texture ? 0 : first_colour, params->layers.y == no_texture ? 0 : first_colour, params->layers.z == no_texture ? 0 : first_data, params->layers.w == no_texture ? 0 : first_data);
-            table.entries.push_back({.material = material_of(model.materials[i]), .texture_layer = -1, .pictures = params});
+            table.entries.push_back({.material = material_of(model.materials[i]), .texture_layer = -1, .pictures = params, .unlit = model.materials[i].unlit});
         }
         table.entries.push_back({material_of(plain_material()), -1});
         ++table.version;

@@ -54,7 +54,7 @@ PicturePlace place_of(const ModelTexture& texture) {
 std::optional<PictureParams> params_of(const ModelMaterial& material, Wanted& colours, Wanted& data) {
     const std::array<const ModelTexture*, 4> slots{&material.base_colour_texture, &material.emission_texture, &material.metallic_roughness_texture, &material.normal_texture};
     const auto first = std::ranges::find_if(slots, [](const ModelTexture* texture) { return bool(*texture); });
-    if (first == slots.end() && material.alpha_mode == ModelMaterial::Alpha::opaque) return std::nullopt;
+    if (first == slots.end() && material.alpha_mode == ModelMaterial::Alpha::opaque && !material.unlit) return std::nullopt;
     PictureParams params{};
     params.layers = uvec4(colours.layer_of(material.base_colour_texture), colours.layer_of(material.emission_texture), data.layer_of(material.metallic_roughness_texture),
                           data.layer_of(material.normal_texture, StandIn::flat));

@@ -81,7 +81,7 @@ std::uint64_t material_hash(const MaterialEntry& entry) {
                                        m.specular, m.emission, m.emission_colour.x, m.emission_colour.y,
                                        m.emission_colour.z};
     const std::uint64_t hash = hash_mix(hash_bytes(0x5ec0d, values.data(), sizeof values), static_cast<std::uint32_t>(entry.texture_layer));
-    return entry.pictures ? hash_bytes(hash, &*entry.pictures, sizeof(PictureParams)) : hash;
+    return entry.pictures ? hash_bytes(hash_mix(hash, entry.unlit), &*entry.pictures, sizeof(PictureParams)) : hash;
 }
 
 mat4 placed(const WorldTransform& transform, const dvec3& origin) {
@@ -122,7 +122,7 @@ void extract_draws(World& world, RenderScene& scene) {
         if (draw.first_material < scene.materials.size()) {
             const auto& pictures = scene.materials[draw.first_material].pictures;
             draw.pictured = pictures.has_value();
-            draw.apart = draw.pictured && lie_apart(*pictures);
+            draw.apart = draw.pictured && (lie_apart(*pictures) || scene.materials[draw.first_material].unlit);
             draw.open = draw.pictured && pictures->alpha.y != 0.0f;
         }
         // Where it is in the world: the origin may step on.

@@ -41,7 +41,7 @@ struct RenderScene {
         Bounds changed;             ///< where the two differ; empty: anywhere
         Entity entity{};            ///< that it was made from, if any
         bool pictured = false;      ///< its material reads pictures
-        bool apart = false;         ///< which do not all lie together, or one of which is of normals
+        bool apart = false;         ///< which do not all lie together, or one of which is of normals; or it is unlit
         bool open = false;          ///< and has holes, or is see-through
     };
 

@@ -65,7 +65,7 @@ class Walk {
     void from(const SurfacePoint& point, vec3 to_eye) {
         // The cosine lobe gets half at least: the first surface's irradiance is measured whatever it is made of.
         const PathVertex vertex(point, to_eye, false, 0.5f);
-        out_.direct = point.emission + lit_by_lights(vertex, nullptr).radiance;
+        out_.direct = point.emission + point.unlit + lit_by_lights(vertex, nullptr).radiance;
         arrive(vertex);
     }
     /// Only what arrives at a point, whatever it is made of.

@@ -167,7 +167,7 @@ TraceScene::TraceScene(const RenderScene& scene, Relief relief) : data_(std::mak
 void TraceScene::update(const RenderScene& scene) {
     const std::uint64_t textures_version = scene.textures != nullptr ? scene.textures->version : 0;
     if (std::exchange(data_->textures_version, textures_version) != textures_version) data_->textures = LinearTextures(scene.textures);
-    data_->materials = material_rows(scene.materials);
+    data_->materials = material_rows(scene);
     data_->picture_colours = PictureReader(scene.pictures.colours, PictureReader::Encoding::srgb);
     data_->picture_data = PictureReader(scene.pictures.data, PictureReader::Encoding::linear);
     auto before = std::exchange(data_->number, {});
@@ -257,7 +257,13 @@ SurfacePoint TraceScene::surface_at(const TriangleHit& hit) const {
         material = data_->pictured(material, coordinates);
     }
     const vec3 texel = material.texture.x == no_texture ? vec3(1.0f) : data_->textures.at(material.texture.x, uv);
-    const vec3 colour = surface_colour(material, texel, weights.x * va.colour + weights.y * vb.colour + weights.z * vc.colour);
+    vec3 colour = surface_colour(material, texel, weights.x * va.colour + weights.y * vb.colour + weights.z * vc.colour);
+    if (material.specular.y > 0.0f) {
+        material.base_colour = vec4(colour, 1.0f);
+        material = unlit_material(material);
+        point.unlit = vec3(std::exchange(material.emission, vec4(0.0f)));
+        colour = vec3(0.0f);
+    }
     point.surface.base_colour = vec4(colour, material.base_colour.w);
     point.surface.normal.w = material.emission.w;
     point.surface.specular = material.specular;

@@ -34,6 +34,7 @@ struct SurfacePoint {
     Surface surface;     ///< with the shading normal
     vec3 emission;       ///< nit, of the front
     float error = 0.0f;  ///< m: bound of the position's rounding error
+    vec3 unlit{0.0f};    ///< nit that the camera sees, and light does not
     vec3 vertex_normal{0.0f};  ///< what a normal texture has tilted the normal from; zero where there is none
 
     vec3 normal() const { return vec3(surface.normal); }
