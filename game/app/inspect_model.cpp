@@ -74,7 +74,10 @@ void inspect_model(const std::filesystem::path& path) {
     print_part("materials", model.materials, [](const ModelMaterial& material) { return told(material); });
     print_part("images", model.images, [](const ModelImage& image) { return fmt::format("{}: {} bytes", image.name, image.bytes.size()); });
     print_part("lights", model.lights, [](const ModelLight& light) { return told(light); });
-    print_part("cameras", model.cameras, [](const ModelCamera& camera) { return fmt::format("{}: {:.1f}° from top to bottom, from {:.3g} m on", named(camera.name), glm::degrees(camera.fov_y), camera.near); });
+    print_part("cameras", model.cameras, [](const ModelCamera& camera) {
+        const std::string seen = camera.height > 0.0f ? fmt::format("orthographic, {:.3g} m", camera.height) : fmt::format("{:.1f}°", glm::degrees(camera.fov_y));
+        return fmt::format("{}: {} from top to bottom, from {:.3g} m on", named(camera.name), seen, camera.near);
+    });
     print_part("skins", model.skins, [](const ModelSkin& skin) { return fmt::format("{} joints", skin.joints.size()); });
     print_part("animations", model.animations, [](const ModelAnimation& animation) { return fmt::format("{}: {:.2f} s, {} channels", named(animation.name), animation.length, animation.channels.size()); });
     const Bounds bounds = bounds_of(model, model.scene);

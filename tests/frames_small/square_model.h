@@ -55,14 +55,19 @@ class SquareModelTest : public ModelTest {
             return {pixel[0], pixel[1], pixel[2]};
         }
     };
+    using Prepare = std::function<void(App&)>;
+    static Prepare from(vec3 eye, float ev100) {
+        return [=](App& app) { look(app, eye, ev100); };
+    }
+    static Seen drawn(const std::filesystem::path& file, vec3 eye, const char* gi = "off", float ev100 = 12.0f) { return drawn(file, from(eye, ev100), gi); }
     /// Layers of a capture, and the "picture".
-    static Seen drawn(const std::filesystem::path& file, vec3 eye, const char* gi = "off", float ev100 = 12.0f) {
+    static Seen drawn(const std::filesystem::path& file, const Prepare& prepare, const char* gi) {
         Seen seen;
         auto context = gl::create_context(gl::ContextKind::egl);
         {
             Renderer renderer(shader_folder());
             App app = open_scene({.scene = file.string(), .gi = gi});
-            look(app, eye, ev100);
+            prepare(app);
             Capture captured = capture(app, renderer, {.width = side, .height = side, .layers = true});
             for (ImageLayer& layer : captured.layers) seen.layers[layer.name] = std::move(layer.image);
             seen.layers["picture"] = std::move(captured.picture);
@@ -74,10 +79,11 @@ class SquareModelTest : public ModelTest {
         RenderScene scene;
         std::unique_ptr<PathTracer> tracer;
     };
-    static Traced traced(const std::filesystem::path& file, vec3 eye, float ev100 = 12.0f) {
+    static Traced traced(const std::filesystem::path& file, vec3 eye, float ev100 = 12.0f) { return traced(file, from(eye, ev100)); }
+    static Traced traced(const std::filesystem::path& file, const Prepare& prepare) {
         Traced result;
         App app = open_scene({.scene = file.string()});
-        look(app, eye, ev100);
+        prepare(app);
         app.schedule.run(app.world);
         extract(app.world, result.scene);
         result.tracer = std::make_unique<PathTracer>(result.scene, uvec2(side), TransportSettings{.bounces = 0, .pixel_area = false});

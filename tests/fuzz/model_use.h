@@ -31,7 +31,7 @@ inline void use_model(const Model& model) {
     }
     for (const ModelNode& node : model.nodes) is_finite(node.translation.x, node.rotation.x, node.rotation.w, node.scale.x, node.scale.y, node.scale.z);
     for (const ModelLight& light : model.lights) is_finite(light.colour.x, light.intensity, light.range, light.inner_cone, light.outer_cone);
-    for (const ModelCamera& camera : model.cameras) is_finite(camera.fov_y, camera.near);
+    for (const ModelCamera& camera : model.cameras) is_finite(camera.fov_y, camera.height, camera.near);
     const auto show = [&](const ModelPose& pose) {
         for (std::size_t i = 0; i < model.nodes.size(); ++i) {
             const ModelNode& node = model.nodes[i];

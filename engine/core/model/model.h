@@ -105,10 +105,11 @@ struct ModelLight {
     float inner_cone = 0.0f, outer_cone = 0.7854f;
 };
 
-/// A perspective view along -z of its node.
+/// A view along -z of its node, in perspective or orthographic.
 struct ModelCamera {
     std::string name;
     float fov_y = 1.0f;  ///< rad
+    float height = 0.0f; ///< m: what an orthographic one sees from bottom to top; 0 for perspective
     float near = 0.01f;  ///< m
 };
 

@@ -172,7 +172,7 @@ class ModelLoader {
             if (node.light >= 0) add_light(world_, entity, model.lights[static_cast<std::size_t>(node.light)]);
             if (node.camera >= 0) {
                 const ModelCamera& camera = model.cameras[static_cast<std::size_t>(node.camera)];
-                world_.add(entity, Camera{.fov_y = camera.fov_y, .near = camera.near, .active = false});
+                world_.add(entity, Camera{.fov_y = camera.fov_y, .height = camera.height, .near = camera.near, .active = false});
             }
             if (node.mesh >= 0) show_mesh(root, i, loaded, parts);
         }

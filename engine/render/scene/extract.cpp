@@ -56,11 +56,13 @@ void extract_view(World& world, RenderScene& scene) {
     for (auto [entity, camera, transform] : Query<const Camera, const WorldTransform>(world)) {
         if (!camera.active || !is_turned(transform)) continue;
         scene.origin = snapped_origin(transform.origin, scene.origin);
-        scene.view = RenderScene::View{.position = relative(transform, scene.origin),
+        const Lens lens = lens_of(camera);
+        scene.view = RenderScene::View{.position = relative(transform, scene.origin) - lens.behind * forward_of(transform),
                                        .forward = forward_of(transform),
                                        .up = transform.linear * vec3(0, 1, 0),
-                                       .fov_y = camera.fov_y,
-                                       .near = camera.near,
+                                       .fov_y = lens.fov_y,
+                                       .near = lens.near,
+                                       .behind = lens.behind,
                                        .ev100 = camera.ev100,
                                        .auto_exposure = camera.auto_exposure,
                                        .antialias = camera.antialias,
