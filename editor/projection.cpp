@@ -5,10 +5,12 @@
 
 namespace sl {
 
-Projection::Projection(const Camera& camera, const WorldTransform& place) : place_(place), near_(camera.near) {
+Projection::Projection(const Camera& camera, const WorldTransform& place) : place_(place), near_(lens_of(camera).near) {
+    const Lens lens = lens_of(camera);
+    place_.origin += dvec3(place.linear * vec3(0, 0, lens.behind));
     const ImGuiViewport& screen = *ImGui::GetMainViewport();
     centre_ = screen.GetCenter();
-    focal_ = 0.5f * screen.Size.y / std::tan(0.5f * camera.fov_y);
+    focal_ = 0.5f * screen.Size.y / std::tan(0.5f * lens.fov_y);
 }
 
 void Projection::line(const dvec3& from, const dvec3& to, ImU32 colour, float width) const {

@@ -23,15 +23,16 @@ bool any(World& world) {
     return found;
 }
 
-/// Whether anything that is shown does: blocks that glow are in the table of every world.
-bool glows(World& world) {
+/// Whether anything that is shown is made of such a material: blocks that glow are in the table of every world.
+template <class Predicate>
+bool shows(World& world, const Predicate& is_such) {
     const auto& entries = world.resource<MaterialTable>().entries;
     bool found = false;
     Query<const MeshInstance>(world).each([&](const MeshInstance& instance) {
         const auto row = static_cast<std::size_t>(std::max(instance.first_material, 0));
         for (const Vertex& vertex : world.resource<MeshPool>().at(instance.mesh).vertices) {
             const std::size_t used = row + vertex.material;
-            found |= used < entries.size() && entries[used].material.emission > 0.0f;
+            found |= used < entries.size() && is_such(entries[used]);
         }
     });
     return found;
@@ -90,7 +91,8 @@ void complete_model_scene(App& app) {
     World& world = app.world;
     const std::filesystem::path path = world.resource<SceneInfo>().path;
     const Bounds bounds = bounds_of_meshes(world);
-    const bool lit = any<DirectionalLight>(world) || any<SpotLight>(world) || any<PointLight>(world) || glows(world);
+    const bool lit = any<DirectionalLight>(world) || any<SpotLight>(world) || any<PointLight>(world) ||
+                     shows(world, [](const MaterialEntry& entry) { return !entry.unlit && entry.material.emission > 0.0f; });
     if (!lit) {
         log::info("{}: it has no light, so a sun and a sky were added", path.string());
         // Over the left shoulder of the camera below, so that what it sees is lit.
@@ -105,7 +107,8 @@ void complete_model_scene(App& app) {
     }
     auto& view = world.get<Camera>(camera);
     view.active = true;
-    view.auto_exposure = true;
+    // What is unlit has its colours at the exposure that is set.
+    view.auto_exposure = shows(world, [](const MaterialEntry& entry) { return !entry.unlit; });
     view.ev100 = lit ? lamplight_ev100 : daylight_ev100;
     world.add(camera, GiSettings{make_gi_method("facets")});
 }

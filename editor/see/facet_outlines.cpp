@@ -46,7 +46,7 @@ void FacetOutlines::read(const SeenFrame& frame) {
         return place && is_visible(params, *place, *depth.pixel(place->pixel.x, place->pixel.y));
     };
     // Some of those near the camera lie behind it or behind walls.
-    std::vector<FacetOutline> seen = frame.renderer.facets().outlines_near(frame.scene.view->position, 4 * most_outlines);
+    std::vector<FacetOutline> seen = frame.renderer.facets().outlines_near(frame.scene.view->place(), 4 * most_outlines);
     std::erase_if(seen, [&](const FacetOutline& outline) { return !is_seen(outline); });
     seen.resize(std::min(seen.size(), most_outlines));
     if (seen.empty()) return;

@@ -62,7 +62,7 @@ void PixelProbe::read(const SeenFrame& frame) {
     until_read_ = seconds_between;
     ProbeReading& reading = *reading_;
     const TransportWorld* world = frame.meter != nullptr ? frame.meter->world() : nullptr;
-    reading.distance = static_cast<float>(glm::length(reading.point.position - frame.scene.origin - dvec3(frame.scene.view->position)));
+    reading.distance = static_cast<float>(glm::length(reading.point.position - frame.scene.origin - dvec3(frame.scene.view->place())));
     reading.live = live_values(frame, reading.point);
     reading.lights = light_shares(frame.scene, reading.point, world);
     reading.shadowed = world != nullptr;

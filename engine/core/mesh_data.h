@@ -18,6 +18,14 @@ struct Vertex {
 };
 static_assert(sizeof(Vertex) == 32);
 
+/// What else a vertex has where its material's pictures need it, 16 bytes.
+struct PicturedVertex {
+    vec2 uv{0.0f};              ///< second texture coordinates
+    std::uint32_t tangent = 0;  ///< pack_normal: where the normal texture's right lies, along the surface
+    float hand = 1.0f;          ///< 1 or -1: its top lies towards hand * cross(normal, tangent)
+};
+static_assert(sizeof(PicturedVertex) == 16);
+
 /// Triangles as plain arrays; counter-clockwise is the front.
 struct MeshData {
     /// A run of indices whose triangles all face the same way along an axis. From below the lowest none is seen.
@@ -29,6 +37,7 @@ struct MeshData {
     };
 
     std::vector<Vertex> vertices;
+    std::vector<PicturedVertex> pictured;  ///< one per vertex, or none
     std::vector<std::uint32_t> indices;
     std::vector<Facing> facings;  ///< all indices, in order; or empty, and triangles face anywhere
     bool both_sides = false;  ///< each triangle is there twice, the second time turned

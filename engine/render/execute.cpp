@@ -11,13 +11,14 @@ namespace {
 
 constexpr std::uint64_t frames_until_freed = 4;
 
-GLuint make_vertex_array() {
+/// With what PicturedVertex holds, from a buffer of its own, or without.
+GLuint make_vertex_array(bool pictured) {
     GLuint id = 0;
     glCreateVertexArrays(1, &id);
-    const auto attribute = [&](GLuint index, GLint count, std::size_t offset) {
+    const auto attribute = [&](GLuint index, GLint count, std::size_t offset, GLuint buffer = 0, GLenum type = GL_FLOAT) {
         glEnableVertexArrayAttrib(id, index);
-        glVertexArrayAttribFormat(id, index, count, GL_FLOAT, GL_FALSE, static_cast<GLuint>(offset));
-        glVertexArrayAttribBinding(id, index, 0);
+        glVertexArrayAttribFormat(id, index, count, type, GL_TRUE, static_cast<GLuint>(offset));
+        glVertexArrayAttribBinding(id, index, buffer);
     };
     const auto integer = [&](GLuint index, std::size_t offset) {
         glEnableVertexArrayAttrib(id, index);
@@ -30,6 +31,11 @@ GLuint make_vertex_array() {
     attribute(2, 2, offsetof(Vertex, uv));
     integer(3, offsetof(Vertex, material));
     integer(4, offsetof(Vertex, colour));
+    if (!pictured) return id;
+    // As in shader/passes/pictured_apart.vert.
+    attribute(5, 2, offsetof(PicturedVertex, uv), 1);
+    attribute(6, 2, offsetof(PicturedVertex, tangent), 1, GL_SHORT);
+    attribute(7, 1, offsetof(PicturedVertex, hand), 1);
     return id;
 }
 
@@ -45,13 +51,15 @@ class DebugGroup {
 }  // namespace
 
 Executor::Executor(std::filesystem::path shader_folder) : programs_(std::move(shader_folder)) {
-    vertex_array_ = make_vertex_array();
+    vertex_array_ = make_vertex_array(false);
+    pictured_vertex_array_ = make_vertex_array(true);
     glCreateVertexArrays(1, &empty_vertex_array_);
 }
 
 Executor::~Executor() {
     for (const auto& [key, framebuffer] : framebuffers_) glDeleteFramebuffers(1, &framebuffer);
     glDeleteVertexArrays(1, &vertex_array_);
+    glDeleteVertexArrays(1, &pictured_vertex_array_);
     glDeleteVertexArrays(1, &empty_vertex_array_);
 }
 
@@ -193,12 +201,15 @@ void Executor::issue(const PassRecord& pass, const gl::Program& program) {
             glDrawArrays(GL_TRIANGLES, 0, 3);
             break;
         case PassKind::draws: {
-            glBindVertexArray(vertex_array_);
             const auto draw_index = program.uniforms().find("draw_index");
             if (!pass.draws) break;
             for (const DrawCall& call : *pass.draws) {
-                glVertexArrayVertexBuffer(vertex_array_, 0, call.vertex_buffer, 0, sizeof(Vertex));
-                glVertexArrayElementBuffer(vertex_array_, call.index_buffer);
+                const bool pictured = call.pictured_vertex_buffer != 0;
+                const GLuint array = pictured ? pictured_vertex_array_ : vertex_array_;
+                glBindVertexArray(array);
+                glVertexArrayVertexBuffer(array, 0, call.vertex_buffer, 0, sizeof(Vertex));
+                if (pictured) glVertexArrayVertexBuffer(array, 1, call.pictured_vertex_buffer, 0, sizeof(PicturedVertex));
+                glVertexArrayElementBuffer(array, call.index_buffer);
                 glFrontFace(call.mirrored ? GL_CW : GL_CCW);
                 if (draw_index != program.uniforms().end()) glUniform1ui(draw_index->second, call.draw_index);
                 const std::uintptr_t first = call.first_index * sizeof(std::uint32_t);

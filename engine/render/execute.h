@@ -74,7 +74,7 @@ class Executor {
     std::map<FramebufferKey, GLuint> framebuffers_;
     std::vector<gl::Buffer> param_buffers_;
     std::size_t next_param_buffer_ = 0;
-    GLuint vertex_array_ = 0, empty_vertex_array_ = 0;
+    GLuint vertex_array_ = 0, pictured_vertex_array_ = 0, empty_vertex_array_ = 0;
     std::uint64_t frame_ = 0;
     bool timing_ = false;
 };

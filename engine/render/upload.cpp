@@ -57,6 +57,8 @@ const GpuScene::GpuMesh& GpuScene::refresh(const RenderScene& scene, MeshHandle 
     GpuMesh& gpu = meshes_[handle];
     if (gpu.used_in == 0 || gpu.version != mesh.version) {
         gpu.vertices.upload(mesh.vertices, "vertices");
+        gpu.has_pictured = !mesh.pictured.empty();
+        if (gpu.has_pictured) gpu.pictured.upload(mesh.pictured, "pictured vertices");
         gpu.indices.upload(mesh.indices, "indices");
         gpu.index_count = static_cast<std::uint32_t>(mesh.indices.size());
         gpu.version = mesh.version;
@@ -87,11 +89,13 @@ SceneInputs GpuScene::upload(FrameGraph& graph, const RenderScene& scene, const 
     draws.reserve(scene.draws.size() + scene.waters.size());
     const auto add = [&](const RenderScene::Draw& draw, std::vector<DrawCall>& calls) {
         const GpuMesh& mesh = refresh(scene, draw.mesh);
+        const bool mirrored = glm::determinant(mat3(draw.world_from_local)) < 0.0f;
         calls.push_back({.vertex_buffer = mesh.vertices.id(), .index_buffer = mesh.indices.id(),
                          .index_count = mesh.index_count, .draw_index = static_cast<std::uint32_t>(draws.size()),
-                         .mirrored = glm::determinant(mat3(draw.world_from_local)) < 0.0f});
+                         .mirrored = mirrored,
+                         .pictured_vertex_buffer = mesh.has_pictured ? mesh.pictured.id() : 0});
         draws.push_back({.world_from_local = draw.world_from_local, .normal_from_local = normal_matrix(draw.world_from_local),
-                         .first_material = uvec4(draw.first_material, 0, 0, 0)});
+                         .first_material = uvec4(draw.first_material, mirrored ? 1 : 0, 0, 0)});
     };
     for (const RenderScene::Draw& draw : scene.draws) add(draw, inputs.calls);
     for (const DrawCall& call : inputs.calls) inputs.triangles += call.index_count / 3;
@@ -99,7 +103,7 @@ SceneInputs GpuScene::upload(FrameGraph& graph, const RenderScene& scene, const 
     // A mesh that no draw names any more has left the scene.
     std::erase_if(meshes_, [&](const auto& entry) { return entry.second.used_in != frame_; });
 
-    const MaterialRows rows = material_rows(scene.materials);
+    const MaterialRows rows = material_rows(scene);
     draws_.upload(draws, "draws");
     materials_.upload(rows.materials, "materials");
     pictures_.upload(rows.pictures, "pictures");
@@ -120,7 +124,7 @@ SceneInputs GpuScene::upload(FrameGraph& graph, const RenderScene& scene, const 
 
 std::uint64_t GpuScene::mesh_bytes() const {
     std::uint64_t bytes = 0;
-    for (const auto& [handle, mesh] : meshes_) bytes += mesh.vertices.capacity() + mesh.indices.capacity();
+    for (const auto& [handle, mesh] : meshes_) bytes += mesh.vertices.capacity() + mesh.pictured.capacity() + mesh.indices.capacity();
     return bytes;
 }
 

@@ -37,7 +37,8 @@ class GpuScene {
 
   private:
     struct GpuMesh {
-        gl::Buffer vertices, indices;
+        gl::Buffer vertices, pictured, indices;
+        bool has_pictured = false;
         std::uint32_t index_count = 0;
         std::uint32_t version = 0;
         std::uint64_t used_in = 0;

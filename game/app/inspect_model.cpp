@@ -25,6 +25,7 @@ std::string told(const ModelMaterial& material) {
     if (material.alpha_mode == ModelMaterial::Alpha::mask) text += fmt::format(", cut out below {:.2f}", material.alpha_cutoff);
     if (material.alpha_mode == ModelMaterial::Alpha::blend) text += ", see-through";
     if (material.two_sided) text += ", two-sided";
+    if (material.unlit) text += ", unlit";
     for (const auto& [texture, name] : {std::pair{&material.base_colour_texture, "colour"}, {&material.metallic_roughness_texture, "metallic and roughness"},
                                         {&material.normal_texture, "normal"}, {&material.emission_texture, "glow"}}) {
         if (*texture) text += fmt::format(", {} from image {}", name, texture->image);
@@ -45,11 +46,21 @@ std::size_t bytes_of(const Model& model) {
     for (const ModelImage& image : model.images) bytes += image.bytes.size();
     for (const ModelMesh& mesh : model.meshes) {
         for (const ModelPrimitive& primitive : mesh.primitives) {
-            bytes += primitive.mesh.vertices.size() * sizeof(Vertex) + primitive.mesh.indices.size() * sizeof(std::uint32_t) + primitive.joints.size() * sizeof(ModelJoints);
-            for (const ModelMorph& morph : primitive.morphs) bytes += (morph.positions.size() + morph.normals.size()) * sizeof(vec3);
+            bytes += primitive.mesh.vertices.size() * sizeof(Vertex) + primitive.mesh.pictured.size() * sizeof(PicturedVertex) + primitive.mesh.indices.size() * sizeof(std::uint32_t) + primitive.joints.size() * sizeof(ModelJoints);
+            for (const ModelMorph& morph : primitive.morphs) bytes += (morph.positions.size() + morph.normals.size() + morph.tangents.size()) * sizeof(vec3);
         }
     }
     return bytes;
+}
+
+/// What the file holds and nobody reads, besides what was wrong.
+std::vector<std::string> ignored_of(const Model& model) {
+    std::vector<std::string> ignored = model.warnings;
+    for (std::size_t i = 0; i < model.materials.size(); ++i) {
+        if (model.materials[i].occlusion_texture)
+            ignored.push_back(fmt::format("/materials/{}/occlusionTexture: where little light arrives, it is dark without it", i));
+    }
+    return ignored;
 }
 
 }  // namespace
@@ -63,13 +74,16 @@ void inspect_model(const std::filesystem::path& path) {
     print_part("materials", model.materials, [](const ModelMaterial& material) { return told(material); });
     print_part("images", model.images, [](const ModelImage& image) { return fmt::format("{}: {} bytes", image.name, image.bytes.size()); });
     print_part("lights", model.lights, [](const ModelLight& light) { return told(light); });
-    print_part("cameras", model.cameras, [](const ModelCamera& camera) { return fmt::format("{}: {:.1f}° from top to bottom, from {:.3g} m on", named(camera.name), glm::degrees(camera.fov_y), camera.near); });
+    print_part("cameras", model.cameras, [](const ModelCamera& camera) {
+        const std::string seen = camera.height > 0.0f ? fmt::format("orthographic, {:.3g} m", camera.height) : fmt::format("{:.1f}°", glm::degrees(camera.fov_y));
+        return fmt::format("{}: {} from top to bottom, from {:.3g} m on", named(camera.name), seen, camera.near);
+    });
     print_part("skins", model.skins, [](const ModelSkin& skin) { return fmt::format("{} joints", skin.joints.size()); });
     print_part("animations", model.animations, [](const ModelAnimation& animation) { return fmt::format("{}: {:.2f} s, {} channels", named(animation.name), animation.length, animation.channels.size()); });
     const Bounds bounds = bounds_of(model, model.scene);
     print_bounds(bounds);
     fmt::print("memory: {:.1f} MB\n", static_cast<double>(bytes_of(model)) / 1e6);
-    print_part("ignored", model.warnings, [](const std::string& warning) { return warning; });
+    print_part("ignored", ignored_of(model), [](const std::string& warning) { return warning; });
 }
 
 }  // namespace sl

@@ -8,9 +8,18 @@ uniform sampler2DArray picture_colours;
 
 PictureParams pictures_of(MaterialParams material) { return pictures[material.texture.y - 1u]; }
 
+/// Texture coordinates of a fragment, and how they change from pixel to pixel.
+struct Coordinates {
+    vec2 uv, right, up;
+};
+/// Of an input: fragments beside a triangle, which are there for derivatives alone, need not be able to read buffers.
+Coordinates coordinates_of(vec2 uv) { return Coordinates(uv, dFdx(uv), dFdy(uv)); }
+
 /// White where there is no layer. Derivatives are those of the place before the picture ends, so that its edges are not blurred.
-vec4 picture_texel(sampler2DArray array, uint layer, PictureParams params, vec2 place) {
-    vec4 texel = textureGrad(array, vec3(picture_inside(params, place), float(layer == no_texture ? 0u : layer)), dFdx(place), dFdy(place));
+vec4 picture_texel(sampler2DArray array, uint layer, PicturePlace place, Coordinates from, float half_texel) {
+    mat2 axes = mat2(place.axes.xy, place.axes.zw);
+    vec2 at = picture_inside(place, picture_place(place, from.uv), half_texel);
+    vec4 texel = textureGrad(array, vec3(at, float(layer == no_texture ? 0u : layer)), axes * from.right, axes * from.up);
     return layer == no_texture ? vec4(1.0) : texel;
 }
 

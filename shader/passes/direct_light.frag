@@ -1,42 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Light that comes straight from a light: all lights of the scene, shadowed, on the surface's full reflectance.
-#include "lib/gbuffer.glsl"
-#include "lib/shadow.glsl"
-
-layout(std430) readonly buffer Lights { LightParams lights[]; };
-uniform sampler2D albedo;
-uniform sampler2D material;
-uniform sampler2D emission;
+#include "lib/direct_light.glsl"
 
 layout(location = 0) out vec4 direct;  // rgb: radiance, nit
+
+float share_from(vec3 to_light, vec3 facing) { return 1.0; }
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     Point point = point_at(pixel);
-    vec4 layers = texelFetch(material, pixel, 0);
-    Surface surface;
-    surface.base_colour = vec4(texelFetch(albedo, pixel, 0).rgb, layers.x);
-    surface.normal = vec4(point.normal, layers.y);
-    surface.specular = vec4(layers.z);
-    vec3 to_eye = normalize(frame.camera_position.xyz - point.position);
-    vec3 radiance = texelFetch(emission, pixel, 0).rgb;
-    bool there = point.distance > 0.0;
-    // One loop per kind of light: a software rasterizer runs both sides of every branch, but no empty loop.
-    for (uint i = 0u; i < (there ? frame.counts.z : 0u); ++i) {
-        LightParams light = lights[i];
-        Incident incident = incident_light(light, point.position);
-        radiance += incident.irradiance.rgb * sun_visibility(light, incident, point.position, point.normal) *
-                    reflected(surface, incident.to_light.xyz, to_eye);
-    }
-    for (uint i = frame.counts.z; i < (there ? frame.counts.w : 0u); ++i) {
-        LightParams light = lights[i];
-        Incident incident = incident_light(light, point.position);
-        radiance += incident.irradiance.rgb * spot_visibility(light, incident, point.position, point.normal) *
-                    reflected(surface, incident.to_light.xyz, to_eye);
-    }
-    for (uint i = frame.counts.w; i < (there ? frame.counts.x : 0u); ++i) {
-        Incident incident = incident_light(lights[i], point.position);
-        radiance += incident.irradiance.rgb * reflected(surface, incident.to_light.xyz, to_eye);
-    }
-    direct = vec4(there ? radiance : vec3(0.0), 1.0);
+    direct = vec4(directly_lit(pixel, point, point.normal), 1.0);
 }

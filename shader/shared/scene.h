@@ -9,14 +9,14 @@ SHARED_BEGIN
 struct DrawParams {
     mat4 world_from_local;
     mat4 normal_from_local;  ///< cofactors of the linear part: turns normals right under any scale or mirror
-    uvec4 first_material;    ///< x: row that Vertex.material counts from
+    uvec4 first_material;    ///< x: row that Vertex.material counts from; y: 1 where world_from_local mirrors
 };
 
 /// One surface.
 struct MaterialParams {
     vec4 base_colour;  ///< rgb linear; a: roughness
     vec4 emission;     ///< rgb nit; a: metallic
-    vec4 specular;     ///< x: dielectric specular factor
+    vec4 specular;     ///< x: dielectric specular factor; y: where it is unlit, nit that the camera exposes as 1, else 0
     uvec4 texture;     ///< x: layer of the texture array, or no_texture; y: one more than its row of pictures, or 0
 };
 

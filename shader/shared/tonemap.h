@@ -14,6 +14,18 @@ SHARED_FN vec3 filmic(vec3 exposed) {
     return clamp((x * (2.51f * x + 0.03f)) / (x * (2.43f * x + 0.59f) + 0.14f), vec3(0.0f), vec3(1.0f));
 }
 
+/// What the curve shows as a colour: its inverse, exposed linear, for 0 to 1.
+SHARED_FN vec3 exposed_from_filmic(vec3 display) {
+    vec3 y = clamp(display, vec3(0.0f), vec3(1.0f));
+    vec3 a = 2.51f - 2.43f * y;
+    vec3 b = 0.03f - 0.59f * y;
+    return (sqrt(b * b + 0.56f * a * y) - b) / (1.2f * a);
+}
+
+/// Radiance, nit, of a surface that shows its colour whatever light there is; white: nit that the camera exposes as 1. At most
+/// the largest half float: in daylight that shows white a little darker.
+SHARED_FN vec3 unlit_radiance(vec3 colour, float white) { return min(exposed_from_filmic(colour) * white, vec3(65504.0f)); }
+
 /// The same of one channel.
 SHARED_FN float srgb_encode_channel(float linear) {
     return linear <= 0.0031308f ? 12.92f * linear : 1.055f * pow(linear, 1.0f / 2.4f) - 0.055f;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "engine/core/image.h"
 #include "engine/core/text_file.h"
 #include "game/app/inspect.h"
 #include "tests/model/model_fixture.h"
@@ -38,6 +39,19 @@ TEST_F(InspectScene, TellsWhatIsInIt) {
     EXPECT_THAT(text, HasSubstr("\nfiles: 1\n  picture: model, file " + model.filename().string() + "\n"));
     EXPECT_THAT(text, HasSubstr("\ntriangles: 14\nbounds: -1 -1 -1 to 1 6 1 m\n"));
     EXPECT_THAT(text, testing::EndsWith("\nignored: 1\n  " + model.string() + ": /meshes/1/primitives/0: points and lines are not drawn\n"));
+}
+
+TEST_F(InspectScene, OfAModelItTellsWhatNobodyReads) {
+    json["extensionsUsed"] = {"KHR_materials_unlit"};
+    json["images"] = {{{"uri", "picture.png"}}};
+    write_png(folder / "picture.png", Image(1, 1, 4));
+    json["textures"] = {{{"source", 0}}};
+    json["materials"] = {{{"occlusionTexture", {{"index", 0}}}}, {{"extensions", {{"KHR_materials_unlit", Json::object()}}}}};
+    testing::internal::CaptureStdout();
+    inspect_model(write());
+    const std::string text = testing::internal::GetCapturedStdout();
+    EXPECT_THAT(text, HasSubstr(", unlit\n"));
+    EXPECT_THAT(text, testing::EndsWith("\nignored: 1\n  /materials/0/occlusionTexture: where little light arrives, it is dark without it\n"));
 }
 
 TEST_F(InspectScene, AnEmptyOneHasNoBounds) {

@@ -18,7 +18,7 @@ TEST_F(SceneDocuments, ErrorsSayWhatIsWrong) {
               "s.json: /entities/0/spot_light/outer_cone: is 3, must be 0.001 to 1.5533 rad");
     EXPECT_EQ(
         error_of_entities(R"([{"name": "a", "camera": {"fov": 1}}])"),
-        "s.json: /entities/0/camera: there is no field 'fov'. Known: fov_y, near, ev100, auto_exposure, antialias, active");
+        "s.json: /entities/0/camera: there is no field 'fov'. Known: fov_y, height, near, ev100, auto_exposure, antialias, active");
     EXPECT_EQ(
         error_of_entities(R"([{"name": "a", "gi": {"method": "rsm_disk"}}])"),
         "s.json: /entities/0/gi/method: there is no choice 'rsm_disk'; did you mean 'rsm_disc'? Known: off, "

@@ -61,8 +61,11 @@ void randomise(App& app, RandomFields& random, bool bounded) {
     for (auto [entity, sky] : Query<SkyLight>(app.world)) visit_fields(random, sky);
     for (auto [entity, material] : Query<Material>(app.world)) visit_fields(random, material);
     const Entity camera = active_camera(app.world);
-    visit_fields(random, app.world.get<Camera>(camera));
-    app.world.get<Camera>(camera).active = true;
+    auto& view = app.world.get<Camera>(camera);
+    visit_fields(random, view);
+    view.active = true;
+    // Most in perspective; of the orthographic ones, half are so near that the scene is more than a dot.
+    if (const double kind = random.uniform(); kind < 0.9) view.height = kind < 0.8 ? 0.0f : 1.0f + 50.0f * static_cast<float>(random.uniform());
     visit_fields(random, app.world.get<GiSettings>(camera));
     if (bounded) bound_cost(app.world.get<GiSettings>(camera).method);
     auto& transform = app.world.get<Transform>(camera);

@@ -16,20 +16,22 @@ inline void use_model(const Model& model) {
     const auto is_finite = [](auto... numbers) { CHECK((std::isfinite(numbers) && ...), "a number is none"); };
     for (const ModelMaterial& material : model.materials) {
         is_finite(material.base_colour.x, material.alpha, material.metallic, material.roughness, material.specular, material.emission.x, material.normal_scale, material.alpha_cutoff);
-        for (const ModelTexture* texture : {&material.base_colour_texture, &material.metallic_roughness_texture, &material.normal_texture, &material.emission_texture}) {
+        for (const ModelTexture* texture : {&material.base_colour_texture, &material.metallic_roughness_texture, &material.normal_texture, &material.emission_texture, &material.occlusion_texture}) {
             is_one_of(texture->image, model.images.size(), "image");
         }
     }
     for (const ModelMesh& mesh : model.meshes) {
         for (const ModelPrimitive& primitive : mesh.primitives) {
             for (const Vertex& vertex : primitive.mesh.vertices) is_finite(vertex.position.x, vertex.position.y, vertex.position.z, vertex.uv.x, vertex.uv.y);
+            for (const PicturedVertex& vertex : primitive.mesh.pictured) is_finite(vertex.uv.x, vertex.uv.y, vertex.hand);
+            CHECK(primitive.mesh.pictured.empty() || primitive.mesh.pictured.size() == primitive.mesh.vertices.size(), "{} pictured vertices of {}", primitive.mesh.pictured.size(), primitive.mesh.vertices.size());
             is_one_of(primitive.material, model.materials.size(), "material");
             for (const std::uint32_t index : primitive.mesh.indices) CHECK(index < primitive.mesh.vertices.size(), "vertex {} of {}", index, primitive.mesh.vertices.size());
         }
     }
     for (const ModelNode& node : model.nodes) is_finite(node.translation.x, node.rotation.x, node.rotation.w, node.scale.x, node.scale.y, node.scale.z);
     for (const ModelLight& light : model.lights) is_finite(light.colour.x, light.intensity, light.range, light.inner_cone, light.outer_cone);
-    for (const ModelCamera& camera : model.cameras) is_finite(camera.fov_y, camera.near);
+    for (const ModelCamera& camera : model.cameras) is_finite(camera.fov_y, camera.height, camera.near);
     const auto show = [&](const ModelPose& pose) {
         for (std::size_t i = 0; i < model.nodes.size(); ++i) {
             const ModelNode& node = model.nodes[i];

@@ -30,6 +30,19 @@ TEST_F(ModelTest, StripsAndFansAreTrianglesThatFaceAsTheFirst) {
     }
 }
 
+TEST_F(ModelTest, CamerasSeeInPerspectiveOrOrthographically) {
+    show(square());
+    json["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 0.5}, {"znear", 0.2}}}},
+                       {{"type", "orthographic"}, {"orthographic", {{"xmag", 4}, {"ymag", 3}, {"znear", 0}, {"zfar", 10}}}}};
+    const Model model = read();
+    ASSERT_EQ(model.cameras.size(), 2u);
+    EXPECT_EQ(model.cameras[0].fov_y, 0.5f);
+    EXPECT_EQ(model.cameras[0].height, 0.0f);
+    EXPECT_EQ(model.cameras[1].height, 6.0f);
+    EXPECT_GT(model.cameras[1].near, 0.0f);
+    EXPECT_THAT(model.warnings, testing::IsEmpty());
+}
+
 TEST_F(ModelTest, PointsAndLinesAreToldAndLeftOut) {
     show({{"attributes", {{"POSITION", add_positions({0, 0, 0, 1, 0, 0})}}}, {"mode", 1}});
     const Model model = read();

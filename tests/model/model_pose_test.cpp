@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <glm/gtc/matrix_transform.hpp>
+
 namespace sl {
 namespace {
 
@@ -52,6 +54,29 @@ TEST(ModelPose, JointsMoveVerticesAndNormals) {
     deform(primitive, primitive.mesh, {}, joint_matrices(model, model.skins[0], pose), mesh);
     EXPECT_LT(glm::length(mesh.vertices[0].position - vec3(-1, 1, 0)), 1e-5f);
     EXPECT_LT(glm::length(unpack_normal(mesh.vertices[0].normal) - vec3(-1, 0, 0)), 1e-3f);
+}
+
+TEST(ModelPose, TangentsMoveWithTheSurface) {
+    Model model = chain();
+    model.skins.push_back({.joints = {0}, .joint_from_mesh = {mat4(1.0f)}});
+    ModelPrimitive primitive;
+    primitive.mesh.vertices = {Vertex{.position = vec3(0), .normal = pack_normal(vec3(0, 0, 1))}};
+    primitive.mesh.pictured = {PicturedVertex{.tangent = pack_normal(vec3(1, 0, 0)), .hand = -1.0f}};
+    primitive.joints = {{.joints = {0, 0, 0, 0}, .weights = vec4(1, 0, 0, 0)}};
+    primitive.morphs = {{.positions = {}, .normals = {}, .tangents = {vec3(-1, 1, 0)}}};
+    ModelPose pose = rest_of(model);
+    MeshData mesh;
+    deform(primitive, primitive.mesh, {1.0f}, {}, mesh);
+    EXPECT_LT(glm::length(unpack_normal(mesh.pictured.at(0).tangent) - vec3(0, 1, 0)), 1e-3f) << "morphed";
+    // Sheared, the normal leans one way and the tangent the other: they stay at a right angle.
+    pose.nodes[0].rotation = glm::angleAxis(glm::pi<float>() / 4.0f, vec3(0, 1, 0));
+    auto joints = joint_matrices(model, model.skins[0], pose);
+    joints[0] = glm::scale(mat4(1.0f), vec3(2, 1, 1)) * joints[0];
+    deform(primitive, primitive.mesh, {}, joints, mesh);
+    const vec3 tangent = unpack_normal(mesh.pictured[0].tangent);
+    EXPECT_LT(glm::length(tangent - glm::normalize(vec3(2, 0, -1))), 1e-3f);
+    EXPECT_NEAR(glm::dot(tangent, unpack_normal(mesh.vertices[0].normal)), 0.0f, 1e-3f);
+    EXPECT_EQ(mesh.pictured[0].hand, -1.0f);
 }
 
 TEST(ModelPose, MorphsAddUp) {

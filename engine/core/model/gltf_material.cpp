@@ -18,6 +18,8 @@ constexpr float usual_reflectance = 0.04f;
 
 constexpr FloatRange fraction{0.0f, 1.0f};
 
+constexpr std::size_t most_uv_sets = 2;
+
 /// As the format numbers them.
 enum class Wrap : std::size_t { clamp = 33071, mirror = 33648, repeat = 10497 };
 constexpr std::size_t nearest_filter = 9728;
@@ -84,33 +86,61 @@ class MaterialReader {
                                                       : ModelMaterial::Alpha::opaque;
         material.alpha_cutoff = gltf_float_at(from, "alphaCutoff", 0.5f, {0.0f, 1e6f});
         material.two_sided = gltf_flag_at(from, "doubleSided");
+        uv_sets_.clear();
         material.base_colour_texture = texture(pbr, "baseColorTexture");
+        material.unlit = gltf_extension(from, "KHR_materials_unlit") != nullptr;
+        if (material.unlit) return with_coordinates(material);
         material.metallic_roughness_texture = texture(pbr, "metallicRoughnessTexture");
         material.normal_texture = texture(from, "normalTexture");
         material.emission_texture = texture(from, "emissiveTexture");
-        return material;
+        material.occlusion_texture.image = image_of(gltf_part(from, "occlusionTexture")).value_or(-1);
+        return with_coordinates(material);
     }
 
   private:
+    ModelMaterial with_coordinates(ModelMaterial material) const {
+        if (!uv_sets_.empty()) material.uv_sets = {uv_sets_.front(), uv_sets_.back()};
+        return material;
+    }
+
+    /// Whether a texture reads the second of the material's coordinates. The first are those of its first texture: where that
+    /// is the base colour, whoever reads this alone needs no others.
+    bool is_second(std::size_t set, std::string_view slot) {
+        const bool is_new = std::ranges::find(uv_sets_, set) == uv_sets_.end();
+        if (is_new && uv_sets_.size() == most_uv_sets) {
+            reader_.warn(fmt::format("{}/{}", where_, slot),
+                         fmt::format("a third set of texture coordinates ({}) is not read; those of its first texture are taken", set));
+            return false;
+        }
+        if (is_new) uv_sets_.push_back(set);
+        return set != uv_sets_.front();
+    }
+
+    /// The image that a texture reads, where there is one.
+    std::optional<std::int32_t> image_of(const json& info) const {
+        const auto index = gltf_find_whole(info, "index");
+        if (!index) return std::nullopt;
+        const json* webp = gltf_extension(textures_[*index], "EXT_texture_webp");
+        const auto source = gltf_find_whole(webp ? *webp : textures_[*index], "source");
+        return source ? std::optional(static_cast<std::int32_t>(*source)) : std::nullopt;
+    }
+
     ModelTexture texture(const json& owner, std::string_view slot) {
         const json& info = gltf_part(owner, slot);
         const auto index = gltf_find_whole(info, "index");
         if (!index) return {};
         const json& texture = textures_[*index];
-        const json* webp = gltf_extension(texture, "EXT_texture_webp");
-        const auto source = gltf_find_whole(webp ? *webp : texture, "source");
-        if (!source) {
+        const auto image = image_of(info);
+        if (!image) {
             reader_.warn(fmt::format("{}/{}", where_, slot),
                          fmt::format("its texture {} has no picture that can be read", *index));
             return {};
         }
-        ModelTexture result{.image = static_cast<std::int32_t>(*source)};
+        ModelTexture result{.image = *image};
         const json* transform = gltf_extension(info, "KHR_texture_transform");
         const std::size_t own_set = gltf_whole_at(info, "texCoord", 0),
                           set = transform ? gltf_whole_at(*transform, "texCoord", own_set) : own_set;
-        if (set != 0)
-            reader_.warn(fmt::format("{}/{}", where_, slot),
-                         fmt::format("texture coordinates {} are not read, the first are taken", set));
+        result.second_uv = is_second(set, slot);
         if (const auto sampler = gltf_find_whole(texture, "sampler")) {
             result.wrap_u = wrap_at(samplers_[*sampler], "wrapS");
             result.wrap_v = wrap_at(samplers_[*sampler], "wrapT");
@@ -123,6 +153,7 @@ class MaterialReader {
     GltfReader& reader_;
     const json &textures_, &samplers_;
     std::string where_;
+    std::vector<std::size_t> uv_sets_;  ///< that the material has read so far
 };
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "engine/core/error.h"
 #include "engine/core/gltf/gltf_value.h"
+#include "engine/core/model/tangents.h"
 
 namespace sl {
 
@@ -50,19 +51,13 @@ std::vector<std::uint32_t> triangles_of(const std::vector<std::uint32_t>& indice
 
 /// Gives each triangle vertices of its own, for what differs from one to the next.
 void part_triangles(ModelPrimitive& result) {
-    const auto parted = [&](auto& values) {
+    result.visit_vertex_arrays([&](auto& values) {
         if (values.empty()) return;
         std::decay_t<decltype(values)> apart;
         apart.reserve(result.mesh.indices.size());
         for (const std::uint32_t index : result.mesh.indices) apart.push_back(values[index]);
         values = std::move(apart);
-    };
-    for (ModelMorph& morph : result.morphs) {
-        parted(morph.positions);
-        parted(morph.normals);
-    }
-    parted(result.joints);
-    parted(result.mesh.vertices);
+    });
     for (std::size_t i = 0; i < result.mesh.indices.size(); ++i) result.mesh.indices[i] = static_cast<std::uint32_t>(i);
 }
 
@@ -82,32 +77,37 @@ void show_backs(ModelPrimitive& result) {
     MeshData& mesh = result.mesh;
     mesh.both_sides = true;
     const auto count = static_cast<std::uint32_t>(mesh.vertices.size());
-    for (std::uint32_t i = 0; i < count; ++i) {
-        Vertex vertex = mesh.vertices[i];
-        vertex.normal = pack_normal(-unpack_normal(vertex.normal));
-        mesh.vertices.push_back(vertex);
+    result.visit_vertex_arrays([](auto& values) {
+        const std::size_t once = values.size();
+        values.reserve(2 * once);
+        for (std::size_t i = 0; i < once; ++i) values.push_back(values[i]);
+    });
+    const auto turn = [&](auto& values, const auto& turned) {
+        for (std::size_t i = values.size() / 2; i < values.size(); ++i) turned(values[i]);
+    };
+    const auto turn_vector = [](vec3& vector) { vector = -vector; };
+    turn(mesh.vertices, [](Vertex& vertex) { vertex.normal = pack_normal(-unpack_normal(vertex.normal)); });
+    // What leans to a side on the front leans to the opposite one on the back, as the normal does.
+    turn(mesh.pictured, [](PicturedVertex& vertex) {
+        vertex.tangent = pack_normal(-unpack_normal(vertex.tangent));
+        vertex.hand = -vertex.hand;
+    });
+    for (ModelMorph& morph : result.morphs) {
+        turn(morph.normals, turn_vector);
+        turn(morph.tangents, turn_vector);
     }
     const std::size_t corners = mesh.indices.size();
     for (std::size_t i = 0; i + 2 < corners; i += 3) {
         for (const std::size_t k : {i, i + 2, i + 1}) mesh.indices.push_back(mesh.indices[k] + count);
     }
-    const auto twice = [](auto& values, float sign) {
-        const std::size_t once = values.size();
-        for (std::size_t i = 0; i < once; ++i) values.push_back(sign * values[i]);
-    };
-    for (ModelMorph& morph : result.morphs) {
-        twice(morph.positions, 1.0f);
-        twice(morph.normals, -1.0f);
-    }
-    const std::vector<ModelJoints> joints = result.joints;
-    result.joints.insert(result.joints.end(), joints.begin(), joints.end());
 }
 
 std::vector<ModelMorph> morphs_of(const json& primitive, GltfReader& reader) {
     std::vector<ModelMorph> morphs;
     for (const json& target : gltf_list(primitive, "targets")) {
         ModelMorph& morph = morphs.emplace_back();
-        for (const auto& [name, moved] : {std::pair{"POSITION", &morph.positions}, std::pair{"NORMAL", &morph.normals}}) {
+        for (const auto& [name, moved] :
+             {std::pair{"POSITION", &morph.positions}, {"NORMAL", &morph.normals}, {"TANGENT", &morph.tangents}}) {
             const AccessorValues values = attribute(target, name, reader);
             for (std::size_t vertex = 0; vertex < values.count; ++vertex) moved->push_back(finite(vector_at(values, vertex)));
         }
@@ -134,6 +134,33 @@ std::vector<ModelJoints> joints_of(const json& attributes, GltfReader& reader) {
     return result;
 }
 
+vec2 coordinates_at(const AccessorValues& values, std::size_t vertex) {
+    if (values.numbers.empty()) return vec2(0.0f);
+    const vec2 uv(values.numbers[2 * vertex], values.numbers[2 * vertex + 1]);
+    return std::isfinite(uv.x) && std::isfinite(uv.y) ? uv : vec2(0.0f);
+}
+
+AccessorValues coordinates_of(const json& attributes, std::size_t set, GltfReader& reader) {
+    return attribute(attributes, fmt::format("TEXCOORD_{}", set), reader);
+}
+
+/// Tangents without normals count for nothing, as the format has it.
+std::vector<PicturedVertex> pictured_vertices(const json& attributes, const ModelMaterial& material, std::size_t count,
+                                              GltfReader& reader) {
+    std::vector<PicturedVertex> vertices(count);
+    const AccessorValues second = coordinates_of(attributes, material.uv_sets[1], reader);
+    const AccessorValues tangents = attributes.contains("NORMAL") ? attribute(attributes, "TANGENT", reader) : AccessorValues{};
+    for (std::size_t i = 0; i < count; ++i) {
+        vertices[i].uv = coordinates_at(second, i);
+        if (tangents.numbers.empty()) continue;
+        const vec3 tangent = finite(vector_at(tangents, i));
+        const float length = glm::length(tangent);
+        vertices[i].tangent = pack_normal(length > 0.0f ? tangent / length : vec3(1, 0, 0));
+        vertices[i].hand = tangents.numbers[4 * i + 3] < 0.0f ? -1.0f : 1.0f;
+    }
+    return vertices;
+}
+
 }  // namespace
 
 std::optional<ModelPrimitive> gltf_primitive(const json& primitive, const std::vector<ModelMaterial>& materials,
@@ -157,15 +184,17 @@ std::optional<ModelPrimitive> gltf_primitive(const json& primitive, const std::v
         std::iota(indices->begin(), indices->end(), 0u);
     }
     const auto material = gltf_find_whole(primitive, "material");
-    const bool two_sided = material && materials[*material].two_sided;
+    const ModelMaterial surface = material ? materials[*material] : ModelMaterial{};
     const AccessorValues normals = attribute(attributes, "NORMAL", reader), colours = attribute(attributes, "COLOR_0", reader);
-    const AccessorValues coordinates = attribute(attributes, "TEXCOORD_0", reader);
+    const AccessorValues coordinates = coordinates_of(attributes, surface.uv_sets[0], reader);
     const std::size_t corners = indices->size() * (mode == Mode::triangles ? 1 : 3);
     const std::size_t vertex_bytes = sizeof(Vertex) + (attributes.contains("JOINTS_0") ? sizeof(ModelJoints) : 0) +
-                                     2 * sizeof(vec3) * gltf_list(primitive, "targets").size();
-    // Flat normals give each corner a vertex of its own.
-    const std::size_t vertices = normals.numbers.empty() ? corners : count;
-    reader.spend((two_sided ? 2 : 1) * (vertices * vertex_bytes + corners * sizeof(std::uint32_t)), where);
+                                     (surface.needs_pictured_vertices() ? sizeof(PicturedVertex) : 0) +
+                                     3 * sizeof(vec3) * gltf_list(primitive, "targets").size();
+    const bool makes_tangents = surface.normal_texture && (normals.numbers.empty() || !attributes.contains("TANGENT"));
+    // Flat normals give each corner a vertex of its own, and where the normal texture lies mirrored, vertices are parted.
+    const std::size_t vertices = normals.numbers.empty() ? corners : makes_tangents ? 2 * count : count;
+    reader.spend((surface.two_sided ? 2 : 1) * (vertices * vertex_bytes + corners * sizeof(std::uint32_t)), where);
 
     ModelPrimitive result;
     if (material) result.material = static_cast<std::int32_t>(*material);
@@ -183,10 +212,7 @@ std::optional<ModelPrimitive> gltf_primitive(const json& primitive, const std::v
             const float length = glm::length(normal);
             vertex.normal = pack_normal(std::isfinite(length) && length > 0.0f ? normal / length : vec3(0, 1, 0));
         }
-        if (!coordinates.numbers.empty()) {
-            vertex.uv = vec2(coordinates.numbers[2 * i], coordinates.numbers[2 * i + 1]);
-            if (!std::isfinite(vertex.uv.x) || !std::isfinite(vertex.uv.y)) vertex.uv = vec2(0.0f);
-        }
+        vertex.uv = coordinates_at(coordinates, i);
         if (!colours.numbers.empty()) {
             vec4 colour(vector_at(colours, i), colours.width == 4 ? colours.numbers[4 * i + 3] : 1.0f);
             for (int k = 0; k < 4; ++k) colour[k] = std::isfinite(colour[k]) ? colour[k] : 1.0f;
@@ -194,11 +220,13 @@ std::optional<ModelPrimitive> gltf_primitive(const json& primitive, const std::v
         }
         mesh.bounds.add(vertex.position);
     }
+    if (surface.needs_pictured_vertices()) mesh.pictured = pictured_vertices(attributes, surface, count, reader);
     mesh.indices = triangles_of(*indices, mode);
     result.morphs = morphs_of(primitive, reader);
     result.joints = joints_of(attributes, reader);
     if (normals.numbers.empty()) make_flat_normals(result);
-    if (two_sided) show_backs(result);
+    if (makes_tangents) make_tangents(result, surface.normal_texture);
+    if (surface.two_sided) show_backs(result);
     return result;
 }
 

@@ -117,15 +117,18 @@ ModelLight light_of(const json& from) {
     return light;
 }
 
-ModelCamera camera_of(const json& from, const std::string& where, GltfReader& reader) {
+ModelCamera camera_of(const json& from) {
+    constexpr FloatRange near{1e-6f, 1e3f};
     ModelCamera camera;
     camera.name = gltf_text_at(from, "name");
-    const json& perspective = gltf_part(from, "perspective");
-    if (perspective.empty()) {
-        reader.warn(where, "an orthographic camera is shown in perspective");
+    const json &perspective = gltf_part(from, "perspective"), &orthographic = gltf_part(from, "orthographic");
+    if (gltf_text_at(from, "type") == "orthographic") {
+        // Half of it, and mirrored where it is negative, which nobody means.
+        camera.height = 2.0f * std::abs(gltf_float_at(orthographic, "ymag", 1.0f, {-5e5f, 5e5f}));
+        camera.near = gltf_float_at(orthographic, "znear", 0.01f, near);
     } else {
         camera.fov_y = gltf_float_at(perspective, "yfov", 1.0f, {0.01f, 2.9f});
-        camera.near = gltf_float_at(perspective, "znear", 0.01f, {1e-6f, 1e3f});
+        camera.near = gltf_float_at(perspective, "znear", 0.01f, near);
     }
     return camera;
 }
@@ -234,8 +237,7 @@ void read_gltf_nodes(GltfReader& reader, Model& model) {
     }
     const json &cameras = gltf_list(document, "cameras"), &skins = gltf_list(document, "skins"),
                &animations = gltf_list(document, "animations");
-    for (std::size_t i = 0; i < cameras.size(); ++i)
-        model.cameras.push_back(camera_of(cameras[i], fmt::format("/cameras/{}", i), reader));
+    for (const json& camera : cameras) model.cameras.push_back(camera_of(camera));
     for (std::size_t i = 0; i < skins.size(); ++i)
         model.skins.push_back(skin_of(skins[i], order, fmt::format("/skins/{}", i), reader));
     for (std::size_t i = 0; i < animations.size(); ++i)

@@ -24,6 +24,7 @@ struct ModelTexture {
     std::int32_t image = -1;  ///< of Model::images; -1: none
     Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
     bool nearest = false;                     ///< texels stay squares when they are large
+    bool second_uv = false;                   ///< reads the second of its material's coordinates
     std::array<vec2, 3> transform{vec2(1, 0), vec2(0, 1), vec2(0)};  ///< columns
 
     explicit operator bool() const { return image >= 0; }
@@ -39,19 +40,26 @@ struct ModelMaterial {
     float metallic = 1.0f, roughness = 1.0f;
     float specular = 1.0f;      ///< strength of the dielectric reflection; 1 is n = 1.5
     vec3 emission{0.0f};        ///< nit
-    float normal_scale = 1.0f;
+    float normal_scale = 1.0f;  ///< of what leans sideways in the normal texture
     Alpha alpha_mode = Alpha::opaque;
     float alpha_cutoff = 0.5f;
     bool two_sided = false;
+    bool unlit = false;                        ///< base colour and alpha alone count, whatever light there is
     ModelTexture base_colour_texture;          ///< sRGB, alpha
     ModelTexture metallic_roughness_texture;   ///< green: roughness, blue: metallic
-    ModelTexture normal_texture;
+    ModelTexture normal_texture;               ///< right, up and out of the surface as red, green, blue; 0 is -1
     ModelTexture emission_texture;             ///< sRGB
+    ModelTexture occlusion_texture;            ///< red; for renderers that do not reckon how little light reaches corners
+    /// Which of a mesh's texture coordinates (TEXCOORD_n) are its first and its second; one number twice where it has one alone.
+    std::array<std::size_t, 2> uv_sets{0, 0};
+
+    /// Whether meshes need PicturedVertex for it.
+    bool needs_pictured_vertices() const { return normal_texture || uv_sets[0] != uv_sets[1]; }
 };
 
 /// What moves a mesh's vertices, besides its node.
 struct ModelMorph {
-    std::vector<vec3> positions, normals;  ///< added, weighted; empty or one per vertex
+    std::vector<vec3> positions, normals, tangents;  ///< added, weighted; empty or one per vertex
 };
 /// Which joints of its skin move a vertex, and how much of each; the weights add up to 1.
 struct ModelJoints {
@@ -65,6 +73,19 @@ struct ModelPrimitive {
     std::int32_t material = -1;        ///< of Model::materials; -1: a plain one
     std::vector<ModelMorph> morphs;
     std::vector<ModelJoints> joints;   ///< one per vertex where a skin may move it
+
+    /// Calls a function with each array that has an element per vertex, or is empty.
+    template <class Function>
+    void visit_vertex_arrays(const Function& function) {
+        function(mesh.vertices);
+        function(mesh.pictured);
+        for (ModelMorph& morph : morphs) {
+            function(morph.positions);
+            function(morph.normals);
+            function(morph.tangents);
+        }
+        function(joints);
+    }
 };
 /// What a node shows.
 struct ModelMesh {
@@ -84,10 +105,11 @@ struct ModelLight {
     float inner_cone = 0.0f, outer_cone = 0.7854f;
 };
 
-/// A perspective view along -z of its node.
+/// A view along -z of its node, in perspective or orthographic.
 struct ModelCamera {
     std::string name;
     float fov_y = 1.0f;  ///< rad
+    float height = 0.0f; ///< m: what an orthographic one sees from bottom to top; 0 for perspective
     float near = 0.01f;  ///< m
 };
 

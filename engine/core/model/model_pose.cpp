@@ -114,14 +114,18 @@ std::vector<mat4> joint_matrices(const Model& model, const ModelSkin& skin, cons
 
 void deform(const ModelPrimitive& primitive, const MeshData& rest, const std::vector<float>& weights, const std::vector<mat4>& joints, MeshData& mesh) {
     mesh.vertices = rest.vertices;
+    mesh.pictured = rest.pictured;
     mesh.bounds = {};
     const bool skinned = !joints.empty() && !primitive.joints.empty();
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
         vec3 position = rest.vertices[i].position, normal = unpack_normal(rest.vertices[i].normal);
+        const vec3 tangent_at_rest = rest.pictured.empty() ? vec3(1, 0, 0) : unpack_normal(rest.pictured[i].tangent);
+        vec3 tangent = tangent_at_rest;
         for (std::size_t k = 0; k < std::min(weights.size(), primitive.morphs.size()); ++k) {
             const ModelMorph& morph = primitive.morphs[k];
             if (!morph.positions.empty()) position += weights[k] * morph.positions[i];
             if (!morph.normals.empty()) normal += weights[k] * morph.normals[i];
+            if (!morph.tangents.empty()) tangent += weights[k] * morph.tangents[i];
         }
         if (skinned) {
             mat4 blended(0.0f);
@@ -130,6 +134,7 @@ void deform(const ModelPrimitive& primitive, const MeshData& rest, const std::ve
                 blended += primitive.joints[i].weights[static_cast<int>(k)] * joints[joint];
             }
             position = vec3(blended * vec4(position, 1.0f));
+            tangent = mat3(blended) * tangent;
             const vec3 x(blended[0]), y(blended[1]), z(blended[2]);
             normal = normal.x * glm::cross(y, z) + normal.y * glm::cross(z, x) + normal.z * glm::cross(x, y);
         }
@@ -137,6 +142,7 @@ void deform(const ModelPrimitive& primitive, const MeshData& rest, const std::ve
         for (int axis = 0; axis < 3; ++axis) position[axis] = std::isfinite(position[axis]) ? position[axis] : rest.vertices[i].position[axis];
         mesh.vertices[i].position = position;
         mesh.vertices[i].normal = pack_normal(unit_or(normal, vec3(0, 1, 0)));
+        if (!mesh.pictured.empty()) mesh.pictured[i].tangent = pack_normal(unit_or(tangent, tangent_at_rest));
         mesh.bounds.add(position);
     }
 }

@@ -28,7 +28,8 @@ bool deforms(const ModelPrimitive& primitive);
 /// model_from_joint · joint_from_mesh of each joint of a skin; in which scene does not matter.
 std::vector<mat4> joint_matrices(const Model& model, const ModelSkin& skin, const ModelPose& pose);
 /// Moves a mesh's vertices from where the file has them: morphs first, then joints. A skin moves a mesh in the space of the whole model.
-/// `joints` may be empty. Normals of skinned vertices are those of the blended matrix's cofactors.
+/// `joints` may be empty. Normals of skinned vertices are those of the blended matrix's cofactors;
+/// tangents move along with the surface.
 void deform(const ModelPrimitive& primitive, const MeshData& rest, const std::vector<float>& weights, const std::vector<mat4>& joints, MeshData& mesh);
 
 }  // namespace sl

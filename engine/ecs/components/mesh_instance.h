@@ -16,6 +16,8 @@ struct MaterialEntry {
     Material material;
     std::int32_t texture_layer = -1;  ///< layer of the BlockTextures array; -1 is plain
     std::optional<PictureParams> pictures{};  ///< layers of a PictureTable; of meshes with one material
+    /// Shown in its base colour whatever light there is; to light it is black. Needs `pictures`, be it without layers.
+    bool unlit = false;
 };
 
 /// Materials shared by many meshes (a block palette, a model's material list), a resource. Vertex.material counts from

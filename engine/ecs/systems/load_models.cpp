@@ -145,8 +145,8 @@ class ModelLoader {
         const auto [first_colour, first_data] = add_pictures(layers, pictures);
         for (std::size_t i = 0; i < model.materials.size(); ++i) {
             auto params = pictures.materials[i];
-            if (params) params->layers += uvec4(params->layers.x == no_texture ? 0 : first_colour, params->layers.y == no_texture ? 0 : first_colour, params->layers.z == no_texture ? 0 : first_data, 0);
-            table.entries.push_back({.material = material_of(model.materials[i]), .texture_layer = -1, .pictures = params});
+            if (params) params->layers += uvec4(params->layers.x == no_texture ? 0 : first_colour, params->layers.y == no_texture ? 0 : first_colour, params->layers.z == no_texture ? 0 : first_data, params->layers.w == no_texture ? 0 : first_data);
+            table.entries.push_back({.material = material_of(model.materials[i]), .texture_layer = -1, .pictures = params, .unlit = model.materials[i].unlit});
         }
         table.entries.push_back({material_of(plain_material()), -1});
         ++table.version;
@@ -172,7 +172,7 @@ class ModelLoader {
             if (node.light >= 0) add_light(world_, entity, model.lights[static_cast<std::size_t>(node.light)]);
             if (node.camera >= 0) {
                 const ModelCamera& camera = model.cameras[static_cast<std::size_t>(node.camera)];
-                world_.add(entity, Camera{.fov_y = camera.fov_y, .near = camera.near, .active = false});
+                world_.add(entity, Camera{.fov_y = camera.fov_y, .height = camera.height, .near = camera.near, .active = false});
             }
             if (node.mesh >= 0) show_mesh(root, i, loaded, parts);
         }

@@ -14,16 +14,24 @@ namespace {
 
 constexpr std::uint32_t largest_layer = 2048;
 
+/// What stands in for a picture that cannot be decoded.
+enum class StandIn { white, flat };
+
 /// Layers of one kind that are asked for, each once.
 class Wanted {
   public:
-    std::uint32_t layer_of(const ModelTexture& texture) {
+    std::uint32_t layer_of(const ModelTexture& texture, StandIn stand_in = StandIn::white) {
         if (!texture) return no_texture;
-        const auto [entry, fresh] = layers_.try_emplace({texture.image, texture.nearest}, static_cast<std::uint32_t>(order_.size()));
+        const auto [entry, fresh] = layers_.try_emplace({texture.image, texture.nearest, stand_in}, static_cast<std::uint32_t>(order_.size()));
         if (fresh) order_.push_back(entry->first);
         return entry->second;
     }
-    using Key = std::pair<std::int32_t, bool>;
+    struct Key {
+        std::int32_t image;
+        bool nearest;
+        StandIn stand_in;
+        auto operator<=>(const Key&) const = default;
+    };
     const std::vector<Key>& order() const { return order_; }
 
   private:
@@ -39,23 +47,25 @@ float wrap_of(ModelTexture::Wrap wrap) {
     }
 }
 
-/// Where one is placed, all of a material's pictures are.
-bool same_place(const ModelTexture& a, const ModelTexture& b) { return a.wrap_u == b.wrap_u && a.wrap_v == b.wrap_v && a.transform == b.transform; }
+PicturePlace place_of(const ModelTexture& texture) {
+    return {.axes = vec4(texture.transform[0], texture.transform[1]), .offset = vec4(texture.transform[2], wrap_of(texture.wrap_u), wrap_of(texture.wrap_v))};
+}
 
-std::optional<PictureParams> params_of(const ModelMaterial& material, Wanted& colours, Wanted& data, std::vector<std::string>& warnings) {
-    const std::array<const ModelTexture*, 3> slots{&material.base_colour_texture, &material.emission_texture, &material.metallic_roughness_texture};
+std::optional<PictureParams> params_of(const ModelMaterial& material, Wanted& colours, Wanted& data) {
+    const std::array<const ModelTexture*, 4> slots{&material.base_colour_texture, &material.emission_texture, &material.metallic_roughness_texture, &material.normal_texture};
     const auto first = std::ranges::find_if(slots, [](const ModelTexture* texture) { return bool(*texture); });
-    if (material.normal_texture) warnings.push_back(fmt::format("material '{}': its normal texture is not shown", material.name));
-    if (first == slots.end() && material.alpha_mode == ModelMaterial::Alpha::opaque) return std::nullopt;
-    const ModelTexture place = first == slots.end() ? ModelTexture{} : **first;
-    if (std::ranges::any_of(slots, [&](const ModelTexture* texture) { return bool(*texture) && !same_place(*texture, place); })) {
-        warnings.push_back(fmt::format("material '{}': its textures are placed in different ways; all are shown as the first", material.name));
-    }
+    if (first == slots.end() && material.alpha_mode == ModelMaterial::Alpha::opaque && !material.unlit) return std::nullopt;
     PictureParams params{};
-    params.layers = uvec4(colours.layer_of(material.base_colour_texture), colours.layer_of(material.emission_texture), data.layer_of(material.metallic_roughness_texture), no_texture);
-    params.axes = vec4(place.transform[0], place.transform[1]);
-    params.place = vec4(place.transform[2], wrap_of(place.wrap_u), wrap_of(place.wrap_v));
-    params.alpha.x = material.alpha;
+    params.layers = uvec4(colours.layer_of(material.base_colour_texture), colours.layer_of(material.emission_texture), data.layer_of(material.metallic_roughness_texture),
+                          data.layer_of(material.normal_texture, StandIn::flat));
+    const std::array<PicturePlace*, 4> places{&params.colour, &params.emission, &params.data, &params.relief};
+    for (int i = 0; i < 4; ++i) {
+        const ModelTexture& own = *slots[static_cast<std::size_t>(i)];
+        // Where there is none it lies as the others do, so that it does not take a material's pictures apart.
+        *places[static_cast<std::size_t>(i)] = place_of(own || first == slots.end() ? own : **first);
+        params.second[i] = own.second_uv ? 1 : 0;
+    }
+    params.alpha = vec4(material.alpha, 0, 0, material.normal_scale);
     if (material.alpha_mode == ModelMaterial::Alpha::mask) params.alpha.y = material.alpha_cutoff;
     if (material.alpha_mode == ModelMaterial::Alpha::blend) params.alpha.y = -1.0f;
     return params;
@@ -63,9 +73,9 @@ std::optional<PictureParams> params_of(const ModelMaterial& material, Wanted& co
 
 std::uint32_t size_of(const Model& model, const std::vector<Wanted::Key>& wanted, std::uint64_t most_bytes) {
     std::uint32_t largest = 1;
-    for (const auto& [image, nearest] : wanted) {
+    for (const Wanted::Key& picture : wanted) {
         try {
-            const uvec2 size = picture_size(model.images[static_cast<std::size_t>(image)]);
+            const uvec2 size = picture_size(model.images[static_cast<std::size_t>(picture.image)]);
             largest = std::max({largest, size.x, size.y});
         } catch (const Error&) {
             // Told when it is decoded.
@@ -85,15 +95,17 @@ TextureLayers layers_of(const Model& model, const std::vector<Wanted::Key>& want
         if (progress.unwanted) return;
         Picture picture;
         try {
-            picture = decode_picture(model.images[static_cast<std::size_t>(wanted[i].first)]);
+            picture = decode_picture(model.images[static_cast<std::size_t>(wanted[i].image)]);
         } catch (const Error& error) {
-            faults[i] = error.what();
+            const bool flat = wanted[i].stand_in == StandIn::flat;
+            if (flat) picture.pixels = {128, 128, 255, 255};
+            faults[i] = fmt::format("{}; it is {}", error.what(), flat ? "flat" : "white");
         }
-        layers.layers[i] = picture_layer(picture, layers.size, kind, !wanted[i].second);
+        layers.layers[i] = picture_layer(picture, layers.size, kind, !wanted[i].nearest);
         ++progress.decoded;
     });
     for (const std::string& fault : faults) {
-        if (!fault.empty()) warnings.push_back(fault + "; it is white");
+        if (!fault.empty()) warnings.push_back(fault);
     }
     return layers;
 }
@@ -128,7 +140,7 @@ std::uint32_t append(std::shared_ptr<const TextureLayers>& to, const TextureLaye
 ModelPictures model_pictures(const Model& model, ModelProgress& progress, std::uint64_t most_bytes) {
     ModelPictures pictures;
     Wanted colours, data;
-    for (const ModelMaterial& material : model.materials) pictures.materials.push_back(params_of(material, colours, data, pictures.warnings));
+    for (const ModelMaterial& material : model.materials) pictures.materials.push_back(params_of(material, colours, data));
     progress.pictures = colours.order().size() + data.order().size();
     const std::size_t all = std::max<std::size_t>(progress.pictures, 1);
     pictures.colours = layers_of(model, colours.order(), PictureKind::colour, most_bytes * colours.order().size() / all, progress, pictures.warnings);

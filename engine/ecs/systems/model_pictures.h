@@ -25,7 +25,7 @@ struct ModelProgress {
     std::atomic<bool> unwanted{false};                 ///< set by who does not wait any more: what is left is left out
 };
 
-/// Decodes what a model's materials read. A picture that cannot be decoded is white, and a warning tells. Of any thread.
+/// Decodes what a model's materials read. A picture that cannot be decoded is white, or flat, and a warning tells. Of any thread.
 ModelPictures model_pictures(const Model& model, ModelProgress& progress, std::uint64_t most_bytes = most_picture_bytes);
 
 /// Adds a model's layers to a world's, made as large as the larger of both; returns how far its layers have moved: colours, data.

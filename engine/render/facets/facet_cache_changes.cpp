@@ -165,7 +165,8 @@ int FacetCache::coarsest_cell() const {
 void FacetCache::start_anew(const RenderScene& scene) {
     renewing_ = table_.slots > 0;
     patches_.reset();
-    world_ = std::make_unique<TransportWorld>(scene, TransportSettings{});
+    // Normal textures are finer than facets, whose names hold the way a surface faces.
+    world_ = std::make_unique<TransportWorld>(scene, TransportSettings{.relief = Relief::flat});
     patches_ = std::make_unique<Patches>(*world_);
     lights_ = scene.lights;
     lights_wait_ = false;

@@ -43,7 +43,7 @@ GiResult indirect_light(const FrameInput& frame, const GBuffer& gbuffer, const F
         .params("Facets", params)
         .storage("Table", frame.graph.import_buffer("facets", table.words.size() * sizeof(std::uint32_t), light.table.id()))
         .read("depth", gbuffer.depth)
-        .read("normal", gbuffer.normal);
+        .read("normal", gbuffer.vertex_normal);
     return {.irradiance = pass.create("irradiance", frame.screen(Format::rgba32f)), .progress = progress, .traced_seconds = seconds, .error = light.cache.error()};
 }
 

@@ -22,6 +22,7 @@ struct DrawCall {
     std::uint32_t first_index = 0, index_count = 0;
     std::uint32_t draw_index = 0;
     bool mirrored = false;  ///< its matrix turns counter-clockwise triangles clockwise
+    std::uint32_t pictured_vertex_buffer = 0;  ///< of PicturedVertex; 0: it has none
 };
 /// Shared: many passes draw the same.
 using DrawList = std::shared_ptr<const std::vector<DrawCall>>;

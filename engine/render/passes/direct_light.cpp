@@ -4,7 +4,9 @@
 namespace sl {
 
 ImageId direct_light(const FrameInput& frame, const GBuffer& gbuffer, const ShadowMaps& shadows) {
-    auto pass = frame.graph.fullscreen("direct_light", "passes/direct_light.frag");
+    const bool relief = gbuffer.vertex_normal != gbuffer.normal;
+    auto pass = frame.graph.fullscreen("direct_light", relief ? "passes/direct_light_relief.frag" : "passes/direct_light.frag");
+    if (relief) pass.read("vertex_normal", gbuffer.vertex_normal);
     pass.params("Frame", frame.params)
         .storage("Lights", frame.inputs.lights)
         .read("depth", gbuffer.depth)

@@ -41,13 +41,26 @@ GBuffer gbuffer(const FrameInput& frame) {
     result.material = pass.create("material", frame.screen(Format::rgba8), Load::clear);
     result.emission = pass.create("emission", frame.screen(Format::rgba16f), Load::clear);
     result.depth = pass.depth(frame.graph.create("depth", frame.screen(Format::depth32f)), Load::clear);
-    if (draws.pictured.empty()) return result;
-    auto pictured = frame.graph.geometry("gbuffer_pictures", "passes/pictured.vert", "passes/gbuffer_pictures.frag");
-    read_pictures(pictured.params("View", view).draws(frame.inputs.list_facing(draws.pictured, eye)), frame.inputs);
-    result.albedo = pictured.write("albedo", result.albedo, Load::keep);
-    result.normal = pictured.write("normal", result.normal, Load::keep);
-    result.material = pictured.write("material", result.material, Load::keep);
-    result.emission = pictured.write("emission", result.emission, Load::keep);
+    const auto draw_into = [&](PassBuilder& pictured, const std::vector<std::uint32_t>& numbers) {
+        read_pictures(pictured.params("View", view).draws(frame.inputs.list_facing(numbers, eye)), frame.inputs);
+        result.albedo = pictured.write("albedo", result.albedo, Load::keep);
+        result.normal = pictured.write("normal", result.normal, Load::keep);
+        result.material = pictured.write("material", result.material, Load::keep);
+        result.emission = pictured.write("emission", result.emission, Load::keep);
+    };
+    if (!draws.together.empty()) {
+        auto pictured = frame.graph.geometry("gbuffer_pictures", "passes/pictured.vert", "passes/gbuffer_pictures.frag");
+        draw_into(pictured, draws.together);
+        result.depth = pictured.depth(result.depth, Load::keep);
+    }
+    result.vertex_normal = result.normal;
+    if (draws.apart.empty()) return result;
+    auto copy = frame.graph.fullscreen("vertex_normal", "passes/copy_normal.frag");
+    copy.read("normal", result.normal);
+    const ImageId vertex_normal = copy.create("vertex_normal", frame.screen(Format::rg16));
+    auto pictured = frame.graph.geometry("gbuffer_pictures_apart", "passes/pictured_apart.vert", "passes/gbuffer_pictures_apart.frag");
+    draw_into(pictured, draws.apart);
+    result.vertex_normal = pictured.write("vertex_normal", vertex_normal, Load::keep);
     result.depth = pictured.depth(result.depth, Load::keep);
     return result;
 }

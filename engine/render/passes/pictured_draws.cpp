@@ -5,7 +5,10 @@ namespace sl {
 
 ByPictures by_pictures(const RenderScene& scene, const std::vector<std::uint32_t>& draws) {
     ByPictures parts;
-    for (const std::uint32_t draw : draws) (scene.draws[draw].pictured ? parts.pictured : parts.plain).push_back(draw);
+    for (const std::uint32_t number : draws) {
+        const RenderScene::Draw& draw = scene.draws[number];
+        (draw.apart ? parts.apart : draw.pictured ? parts.together : parts.plain).push_back(number);
+    }
     return parts;
 }
 

@@ -55,12 +55,16 @@ Rsm rsm(const FrameInput& frame, std::uint32_t size) {
         result.position = pass.write("rsm_position", result.position, Load::clear, layer);
         result.flux = pass.write("rsm_flux", result.flux, Load::clear, layer);
         depth = pass.depth(depth, Load::clear);
-        if (draws.pictured.empty()) continue;
-        auto pictured = graph.geometry(fmt::format("rsm_pictures_{}", layer), "passes/pictured.vert", "passes/rsm_pictures.frag");
-        read_pictures(pictured.params("View", view).storage("Lights", frame.inputs.lights).draws(frame.inputs.list_facing(draws.pictured, eye)), frame.inputs);
-        result.position = pictured.write("rsm_position", result.position, Load::keep, layer);
-        result.flux = pictured.write("rsm_flux", result.flux, Load::keep, layer);
-        depth = pictured.depth(depth, Load::keep);
+        const auto draw_into = [&](PassBuilder pictured, const std::vector<std::uint32_t>& numbers) {
+            read_pictures(pictured.params("View", view).storage("Lights", frame.inputs.lights).draws(frame.inputs.list_facing(numbers, eye)), frame.inputs);
+            result.position = pictured.write("rsm_position", result.position, Load::keep, layer);
+            result.flux = pictured.write("rsm_flux", result.flux, Load::keep, layer);
+            depth = pictured.depth(depth, Load::keep);
+        };
+        if (!draws.together.empty())
+            draw_into(graph.geometry(fmt::format("rsm_pictures_{}", layer), "passes/pictured.vert", "passes/rsm_pictures.frag"), draws.together);
+        if (!draws.apart.empty())
+            draw_into(graph.geometry(fmt::format("rsm_pictures_apart_{}", layer), "passes/pictured_apart.vert", "passes/rsm_pictures_apart.frag"), draws.apart);
     }
     return result;
 }

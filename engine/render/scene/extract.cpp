@@ -56,11 +56,13 @@ void extract_view(World& world, RenderScene& scene) {
     for (auto [entity, camera, transform] : Query<const Camera, const WorldTransform>(world)) {
         if (!camera.active || !is_turned(transform)) continue;
         scene.origin = snapped_origin(transform.origin, scene.origin);
-        scene.view = RenderScene::View{.position = relative(transform, scene.origin),
+        const Lens lens = lens_of(camera);
+        scene.view = RenderScene::View{.position = relative(transform, scene.origin) - lens.behind * forward_of(transform),
                                        .forward = forward_of(transform),
                                        .up = transform.linear * vec3(0, 1, 0),
-                                       .fov_y = camera.fov_y,
-                                       .near = camera.near,
+                                       .fov_y = lens.fov_y,
+                                       .near = lens.near,
+                                       .behind = lens.behind,
                                        .ev100 = camera.ev100,
                                        .auto_exposure = camera.auto_exposure,
                                        .antialias = camera.antialias,
@@ -76,7 +78,7 @@ std::uint64_t material_hash(const MaterialEntry& entry) {
                                        m.specular, m.emission, m.emission_colour.x, m.emission_colour.y,
                                        m.emission_colour.z};
     const std::uint64_t hash = hash_mix(hash_bytes(0x5ec0d, values.data(), sizeof values), static_cast<std::uint32_t>(entry.texture_layer));
-    return entry.pictures ? hash_bytes(hash, &*entry.pictures, sizeof(PictureParams)) : hash;
+    return entry.pictures ? hash_bytes(hash_mix(hash, entry.unlit), &*entry.pictures, sizeof(PictureParams)) : hash;
 }
 
 void extract_materials(World& world, RenderScene& scene) {
@@ -94,6 +96,11 @@ mat4 placed(const WorldTransform& transform, const dvec3& origin) {
     mat4 world_from_local(transform.linear);
     world_from_local[3] = vec4(relative(transform, origin), 1.0f);
     return world_from_local;
+}
+
+bool lie_apart(const PictureParams& pictures) {
+    const auto elsewhere = [&](const PicturePlace& place) { return place.axes != pictures.colour.axes || place.offset != pictures.colour.offset; };
+    return pictures.layers.w != no_texture || pictures.second != uvec4(0) || elsewhere(pictures.emission) || elsewhere(pictures.data);
 }
 
 void extract_draws(World& world, RenderScene& scene) {
@@ -122,6 +129,7 @@ void extract_draws(World& world, RenderScene& scene) {
         if (draw.first_material < scene.materials.size()) {
             const auto& pictures = scene.materials[draw.first_material].pictures;
             draw.pictured = pictures.has_value();
+            draw.apart = draw.pictured && (lie_apart(*pictures) || scene.materials[draw.first_material].unlit);
             draw.open = draw.pictured && pictures->alpha.y != 0.0f;
         }
         // Where it is in the world: the origin may step on.

@@ -17,7 +17,8 @@ FrameParams frame_params(const RenderScene& scene, std::uint32_t width, std::uin
     params.ray_forward = vec4(-look[0][2], -look[1][2], -look[2][2], view.exposure());
     params.ray_right = vec4(vec3(look[0][0], look[1][0], look[2][0]) * tangent * aspect, static_cast<float>(width));
     params.ray_up = vec4(vec3(look[0][1], look[1][1], look[2][1]) * tangent, static_cast<float>(height));
-    params.sky = vec4(scene.sky_radiance, scene.extinction);
+    // How much air there is before an orthographic camera is not said, so there is none.
+    params.sky = vec4(scene.sky_radiance, view.behind > 0.0f ? 0.0f : scene.extinction);
     const auto count = [&](auto... kinds) {
         return static_cast<std::uint32_t>(std::ranges::count_if(scene.lights, [&](const auto& light) { return ((light.kind == kinds) || ...); }));
     };

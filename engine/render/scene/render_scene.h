@@ -21,11 +21,14 @@ struct RenderScene {
         vec3 up{0, 1, 0};
         float fov_y = 1.0f;  ///< rad
         float near = 0.02f;  ///< m
+        float behind = 0.0f; ///< m: how far behind its place an orthographic camera is thought to stand; see lens_of
         float ev100 = 12.0f;
         bool auto_exposure = false;
         bool antialias = true;
         bool in_water = false;
 
+        /// Of the camera itself.
+        vec3 place() const { return position + behind * forward; }
         /// Multiplies nit: 1 / (1.2 · 2^EV100) (ISO 2720).
         float exposure() const;
     };
@@ -41,6 +44,7 @@ struct RenderScene {
         Bounds changed;             ///< where the two differ; empty: anywhere
         Entity entity{};            ///< that it was made from, if any
         bool pictured = false;      ///< its material reads pictures
+        bool apart = false;         ///< which do not all lie together, or one of which is of normals; or it is unlit
         bool open = false;          ///< and has holes, or is see-through
     };
 

@@ -5,22 +5,24 @@ namespace sl {
 
 namespace {
 
-MaterialParams material_params(const MaterialEntry& entry, std::uint32_t picture_row) {
+/// `white`: nit that a camera exposes as 1.
+MaterialParams material_params(const MaterialEntry& entry, std::uint32_t picture_row, float white) {
     const Material& m = entry.material;
     return {.base_colour = vec4(m.base_colour, m.roughness),
-            .emission = vec4(m.emission_colour * m.emission, m.metallic),
-            .specular = vec4(m.specular, 0, 0, 0),
+            .emission = vec4(entry.unlit ? vec3(0.0f) : m.emission_colour * m.emission, m.metallic),
+            .specular = vec4(m.specular, entry.unlit ? white : 0.0f, 0, 0),
             .texture = uvec4(entry.texture_layer >= 0 ? static_cast<std::uint32_t>(entry.texture_layer) : no_texture, picture_row, 0, 0)};
 }
 
 }  // namespace
 
-MaterialRows material_rows(std::span<const MaterialEntry> entries) {
+MaterialRows material_rows(const RenderScene& scene) {
     MaterialRows rows;
-    rows.materials.reserve(entries.size());
-    for (const MaterialEntry& entry : entries) {
+    rows.materials.reserve(scene.materials.size());
+    const float white = scene.view ? 1.0f / scene.view->exposure() : 1.0f;
+    for (const MaterialEntry& entry : scene.materials) {
         if (entry.pictures) rows.pictures.push_back(*entry.pictures);
-        rows.materials.push_back(material_params(entry, entry.pictures ? static_cast<std::uint32_t>(rows.pictures.size()) : 0));
+        rows.materials.push_back(material_params(entry, entry.pictures ? static_cast<std::uint32_t>(rows.pictures.size()) : 0, white));
     }
     return rows;
 }

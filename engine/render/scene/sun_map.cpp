@@ -77,7 +77,7 @@ SunSquare fit_sun_square(const RenderScene& scene, const RenderScene::Light& lig
     square.nearest = stepped(first_depth);
     square.farthest = stepped(last_depth);
     const double step = 2.0 * square.half / SunSquare::most_tiles;
-    const glm::dvec2 eye = glm::dvec2(origin) + glm::dvec2(square.light_from_world * vec4(scene.view ? scene.view->position : vec3(0.0f), 1.0f));
+    const glm::dvec2 eye = glm::dvec2(origin) + glm::dvec2(square.light_from_world * vec4(scene.view ? scene.view->place() : vec3(0.0f), 1.0f));
     const glm::dvec2 tile = glm::round(eye / step);
     square.centre = vec2(tile * step - glm::dvec2(origin));
     square.lowest_tile = ivec2(glm::mod(tile - 0.5 * SunSquare::most_tiles, tile_numbers));

@@ -75,7 +75,7 @@ std::optional<EmitterPath> Emitters::path_from(const TraceScene& scene, const Su
     if (distance_squared <= 0.0f) return std::nullopt;
     const vec3 direction = offset / std::sqrt(distance_squared);
     const float cos_emitter = -glm::dot(direction, emitter.face);
-    if (cos_emitter <= 0.0f || glm::dot(direction, point.normal()) <= 0.0f) return std::nullopt;
+    if (cos_emitter <= 0.0f || !point.faces(direction)) return std::nullopt;
     return EmitterPath{.direction = direction, .radiance = emitter.emission, .density = drawn.density * distance_squared / cos_emitter,
                        .ray = {.origin = origin, .direction = emitter.origin_towards(-direction) - origin, .farthest = 1.0f}};
 }

@@ -31,6 +31,7 @@ struct PathVertex {
 
     /// f_r · cos θ.
     vec3 reflects(vec3 from) const {
+        if (!point.faces(from)) return vec3(0.0f);
         if (!diffuse) return reflected(point.surface, from, to_eye);
         return diffuse_albedo(point.surface) * (std::max(glm::dot(point.normal(), from), 0.0f) / pi);
     }
@@ -64,7 +65,7 @@ class Walk {
     void from(const SurfacePoint& point, vec3 to_eye) {
         // The cosine lobe gets half at least: the first surface's irradiance is measured whatever it is made of.
         const PathVertex vertex(point, to_eye, false, 0.5f);
-        out_.direct = point.emission + lit_by_lights(vertex, nullptr).radiance;
+        out_.direct = point.emission + point.unlit + lit_by_lights(vertex, nullptr).radiance;
         arrive(vertex);
     }
     /// Only what arrives at a point, whatever it is made of.
@@ -174,6 +175,7 @@ class Walk {
         const float weight = there / (there * there + here * here);
         if (!(weight > 0.0f)) return {};  // also where `there` is infinite
         if (world_.settings.occlusion) {
+            if (!vertex.point.faces(direction)) return {};
             const vec3 origin = vertex.point.origin_towards(direction);
             if (occluded({.origin = origin, .direction = point.origin_towards(-direction) - origin, .farthest = 1.0f})) return {};
         }
@@ -197,7 +199,7 @@ class Walk {
     void scatter(const PathVertex& first) {
         vec3 direction = first.lobes.sample(samples_.pair());
         float density = first.lobes.density(direction);
-        if (!(density > 0.0f)) return;
+        if (!(density > 0.0f) || !first.point.faces(direction)) return;
         const float to_irradiance = glm::dot(first.point.normal(), direction) / density;
         const vec3 to_eye = first.reflects(direction) / density;
         const auto add = [&](vec3& irradiance, vec3& radiance, vec3 arriving) {

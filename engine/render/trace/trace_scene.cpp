@@ -67,6 +67,7 @@ struct TraceScene::Data {
     std::optional<std::uint64_t> textures_version;
     LinearTextures textures{nullptr};
     PictureReader picture_colours, picture_data;
+    Relief relief;
     /// What Embree gives back when it asks about a hit.
     struct Asked {
         const Data* data;
@@ -74,7 +75,7 @@ struct TraceScene::Data {
     };
     std::vector<std::unique_ptr<Asked>> asked;  ///< by the meshes' numbers; of those alone whose hits are asked about
 
-    Data() {
+    explicit Data(Relief relief_) : relief(relief_) {
         // A tree for each mesh and one over them, so that a change builds anew what has changed: Embree makes these for low
         // quality alone, which is that of the upper tree.
         rtcSetSceneFlags(scene, static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_DYNAMIC));
@@ -102,10 +103,26 @@ struct TraceScene::Data {
         meshes[id] = std::move(mesh);
         return id;
     }
-    MaterialParams pictured(const MaterialParams& material, vec2 uv) const {
+    /// The first and the second texture coordinates of a point.
+    struct Coordinates {
+        vec2 first, second;
+    };
+    /// A texel of one of a material's pictures.
+    static vec4 texel(const PictureReader& reader, std::uint32_t layer, std::uint32_t second, const PicturePlace& place, const PictureParams& params, const Coordinates& uv) {
+        return reader.at(layer, picture_inside(place, picture_place(place, second == 0 ? uv.first : uv.second), params.alpha.z));
+    }
+    MaterialParams pictured(const MaterialParams& material, const Coordinates& uv) const {
         const PictureParams& params = materials.pictures[material.texture.y - 1];
-        const vec2 place = picture_inside(params, picture_place(params, uv));
-        return pictured_material(material, vec3(picture_colours.at(params.layers.x, place)), vec3(picture_colours.at(params.layers.y, place)), vec3(picture_data.at(params.layers.z, place)));
+        return pictured_material(material, vec3(texel(picture_colours, params.layers.x, params.second.x, params.colour, params, uv)),
+                                 vec3(texel(picture_colours, params.layers.y, params.second.y, params.emission, params, uv)),
+                                 vec3(texel(picture_data, params.layers.z, params.second.z, params.data, params, uv)));
+    }
+    /// Tilts the normal of a point whose material has a normal texture.
+    void tilt(SurfacePoint& point, const PictureParams& params, const Coordinates& uv, vec4 tangent) const {
+        if (relief == Relief::flat || params.layers.w == no_texture) return;
+        point.vertex_normal = point.normal();
+        const vec3 normal(texel(picture_data, params.layers.w, params.second.w, params.relief, params, uv));
+        point.surface.normal = vec4(relief_normal(point.vertex_normal, tangent, normal, params.alpha.w), point.surface.normal.w);
     }
     bool is_open(const TracedMesh& mesh, std::uint32_t triangle, float u, float v) const;
     static void leave_out(const RTCFilterFunctionNArguments* hit);
@@ -138,19 +155,19 @@ bool TraceScene::Data::is_open(const TracedMesh& mesh, std::uint32_t triangle, f
     const MaterialParams& material = materials.materials[a.material];
     if (material.texture.y == 0) return false;
     const PictureParams& params = materials.pictures[material.texture.y - 1];
-    const vec2 place = picture_inside(params, picture_place(params, weights.x * a.uv + weights.y * b.uv + weights.z * c.uv));
-    const float alpha = params.alpha.x * (weights.x * a.alpha + weights.y * b.alpha + weights.z * c.alpha) * picture_colours.at(params.layers.x, place).w;
+    const vec2 uv = weights.x * a.uv + weights.y * b.uv + weights.z * c.uv;
+    const float alpha = params.alpha.x * (weights.x * a.alpha + weights.y * b.alpha + weights.z * c.alpha) * texel(picture_colours, params.layers.x, 0, params.colour, params, {uv, uv}).w;
     // By chance, which differs from place to place and from ray to ray, as light passes what is see-through.
     const std::uint64_t chance = hash_mix(hash_mix(triangle, std::bit_cast<std::uint32_t>(u)), std::bit_cast<std::uint32_t>(v));
     return picture_cover(params, alpha) <= static_cast<float>(chance >> 40) * 0x1p-24f;
 }
 
-TraceScene::TraceScene(const RenderScene& scene) : data_(std::make_unique<Data>()) { update(scene); }
+TraceScene::TraceScene(const RenderScene& scene, Relief relief) : data_(std::make_unique<Data>(relief)) { update(scene); }
 
 void TraceScene::update(const RenderScene& scene) {
     const std::uint64_t textures_version = scene.textures != nullptr ? scene.textures->version : 0;
     if (std::exchange(data_->textures_version, textures_version) != textures_version) data_->textures = LinearTextures(scene.textures);
-    data_->materials = material_rows(scene.materials);
+    data_->materials = material_rows(scene);
     data_->picture_colours = PictureReader(scene.pictures.colours, PictureReader::Encoding::srgb);
     data_->picture_data = PictureReader(scene.pictures.data, PictureReader::Encoding::linear);
     auto before = std::exchange(data_->number, {});
@@ -229,11 +246,26 @@ SurfacePoint TraceScene::surface_at(const TriangleHit& hit) const {
     const vec3 normal = length > 1e-6f ? blended / length : point.face;
     MaterialParams material = data_->materials.materials[va.material];
     const vec2 uv = weights.x * va.uv + weights.y * vb.uv + weights.z * vc.uv;
-    if (material.texture.y > 0) material = data_->pictured(material, uv);
+    point.surface.normal = vec4(normal, 0.0f);
+    if (material.texture.y > 0) {
+        Data::Coordinates coordinates{uv, uv};
+        if (!mesh.pictured().empty()) {
+            const TracedMesh::PicturedVertex &pa = mesh.pictured()[index.x], &pb = mesh.pictured()[index.y], &pc = mesh.pictured()[index.z];
+            coordinates.second = weights.x * pa.uv + weights.y * pb.uv + weights.z * pc.uv;
+            data_->tilt(point, data_->materials.pictures[material.texture.y - 1], coordinates, weights.x * pa.tangent + weights.y * pb.tangent + weights.z * pc.tangent);
+        }
+        material = data_->pictured(material, coordinates);
+    }
     const vec3 texel = material.texture.x == no_texture ? vec3(1.0f) : data_->textures.at(material.texture.x, uv);
-    const vec3 colour = surface_colour(material, texel, weights.x * va.colour + weights.y * vb.colour + weights.z * vc.colour);
+    vec3 colour = surface_colour(material, texel, weights.x * va.colour + weights.y * vb.colour + weights.z * vc.colour);
+    if (material.specular.y > 0.0f) {
+        material.base_colour = vec4(colour, 1.0f);
+        material = unlit_material(material);
+        point.unlit = vec3(std::exchange(material.emission, vec4(0.0f)));
+        colour = vec3(0.0f);
+    }
     point.surface.base_colour = vec4(colour, material.base_colour.w);
-    point.surface.normal = vec4(normal, material.emission.w);
+    point.surface.normal.w = material.emission.w;
     point.surface.specular = material.specular;
     point.emission = surface_emission(material, colour);
     return point;
@@ -264,7 +296,7 @@ std::uint64_t TraceScene::content_hash() const {
     std::uint64_t hash = bytes(bytes(bytes(1, data_->materials.materials), data_->materials.pictures), data_->textures.texels);
     hash = data_->picture_data.hash(data_->picture_colours.hash(hash));
     for (const auto& mesh : data_->meshes) {
-        if (mesh) hash = bytes(bytes(bytes(hash, mesh->positions()), mesh->vertices()), mesh->triangles());
+        if (mesh) hash = bytes(bytes(bytes(bytes(hash, mesh->positions()), mesh->vertices()), mesh->pictured()), mesh->triangles());
     }
     return hash;
 }

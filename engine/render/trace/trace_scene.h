@@ -34,19 +34,29 @@ struct SurfacePoint {
     Surface surface;     ///< with the shading normal
     vec3 emission;       ///< nit, of the front
     float error = 0.0f;  ///< m: bound of the position's rounding error
+    vec3 unlit{0.0f};    ///< nit that the camera sees, and light does not
+    vec3 vertex_normal{0.0f};  ///< what a normal texture has tilted the normal from; zero where there is none
 
     vec3 normal() const { return vec3(surface.normal); }
+    /// Whether light from a direction is reflected. As in most renderers, what a normal texture leans towards a direction from
+    /// behind the surface stays dark, in the rasterizer as well: nothing shines through, and energy is lost rather than made.
+    bool faces(vec3 direction) const {
+        return glm::dot(normal(), direction) > 0.0f && (vertex_normal == vec3(0.0f) || glm::dot(vertex_normal, direction) > 0.0f);
+    }
     /// Start of a ray that leaves towards `direction`: moved off the triangle by more than the rounding error, on the
     /// right side. Relative to the coordinates' size, so that no length has to be guessed.
     vec3 origin_towards(vec3 direction) const { return position + face * (glm::dot(direction, face) < 0.0f ? -error : error); }
 };
+
+/// Whether surfaces have the normals that normal textures ask for, or those of their vertices.
+enum class Relief { tilted, flat };
 
 /// A render scene's triangles under Embree (Wald et al. 2014), with their materials. Reads meshes and textures of the
 /// RenderScene only while it is built. All queries may run on any number of threads.
 class TraceScene {
   public:
     /// Throws Error when Embree cannot start or has no memory.
-    explicit TraceScene(const RenderScene& scene);
+    explicit TraceScene(const RenderScene& scene, Relief relief = Relief::tilted);
     ~TraceScene();
     TraceScene(const TraceScene&) = delete;
     TraceScene& operator=(const TraceScene&) = delete;

@@ -5,6 +5,7 @@
 
 #include "engine/core/error.h"
 #include "engine/render/scene/rows.h"
+#include "shared/octahedral.h"
 
 namespace sl {
 
@@ -39,6 +40,10 @@ TracedMesh::TracedMesh(std::shared_ptr<RTCDeviceTy> device, const MeshData& mesh
     std::ranges::sort(materials_);
     materials_.erase(std::unique(materials_.begin(), materials_.end()), materials_.end());
     const bool mirrored = glm::determinant(mat3(draw.world_from_local)) < 0.0f;
+    for (const sl::PicturedVertex& vertex : mesh.pictured) {
+        const vec3 tangent = unit_or_zero(mat3(draw.world_from_local) * unpack_normal(vertex.tangent));
+        pictured_.push_back({.uv = vertex.uv, .tangent = vec4(tangent, mirrored ? -vertex.hand : vertex.hand)});
+    }
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
         uvec3 corners(mesh.indices[i], mesh.indices[i + 1], mesh.indices[i + 2]);
         if (mirrored) std::swap(corners.y, corners.z);

@@ -25,11 +25,19 @@ class TracedMesh {
         std::uint32_t material = 0;  ///< row of the material table
     };
 
+    /// What pictures of its material need besides.
+    struct PicturedVertex {
+        vec2 uv;       ///< second texture coordinates
+        vec4 tangent;  ///< as relief_normal takes it
+    };
+
     /// Throws Error when there is no memory.
     TracedMesh(std::shared_ptr<RTCDeviceTy> device, const MeshData& mesh, const RenderScene::Draw& draw);
 
     const std::vector<vec3>& positions() const { return positions_; }
     const std::vector<Vertex>& vertices() const { return vertices_; }
+    /// One per vertex, or none.
+    const std::vector<PicturedVertex>& pictured() const { return pictured_; }
     /// Counter-clockwise seen from the front, also where the draw mirrors.
     const std::vector<uvec3>& triangles() const { return triangles_; }
     const Bounds& bounds() const { return bounds_; }
@@ -53,6 +61,7 @@ class TracedMesh {
     std::shared_ptr<RTCDeviceTy> device_;
     std::vector<vec3> positions_;
     std::vector<Vertex> vertices_;
+    std::vector<PicturedVertex> pictured_;
     std::vector<uvec3> triangles_;
     std::vector<std::uint32_t> materials_;
     Bounds bounds_;

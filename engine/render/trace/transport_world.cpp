@@ -6,7 +6,7 @@
 namespace sl {
 
 TransportWorld::TransportWorld(const RenderScene& render_scene, const TransportSettings& transport)
-    : scene(render_scene), emitters(scene), settings(transport) {
+    : scene(render_scene, transport.relief), emitters(scene), settings(transport) {
     relight(render_scene);
 }
 

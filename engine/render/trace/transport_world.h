@@ -24,6 +24,7 @@ struct TransportSettings {
     bool pixel_area = true;  ///< false: all samples of a pixel pass through its centre, as a rasterizer's do
     bool light_paths = true; ///< also look for lit points from the lights' side: less noise, the same mean
     std::uint32_t seed = 1;
+    Relief relief = Relief::tilted;
 
     bool operator==(const TransportSettings&) const = default;
 };
