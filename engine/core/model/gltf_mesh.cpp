@@ -160,12 +160,6 @@ std::optional<ModelPrimitive> gltf_primitive(const json& primitive, const std::v
     const bool two_sided = material && materials[*material].two_sided;
     const AccessorValues normals = attribute(attributes, "NORMAL", reader), colours = attribute(attributes, "COLOR_0", reader);
     const AccessorValues coordinates = attribute(attributes, "TEXCOORD_0", reader);
-    const std::size_t corners = indices->size() * (mode == Mode::triangles ? 1 : 3);
-    const std::size_t vertex_bytes = sizeof(Vertex) + (attributes.contains("JOINTS_0") ? sizeof(ModelJoints) : 0) +
-                                     2 * sizeof(vec3) * gltf_list(primitive, "targets").size();
-    // Flat normals give each corner a vertex of its own.
-    const std::size_t vertices = normals.numbers.empty() ? corners : count;
-    reader.spend((two_sided ? 2 : 1) * (vertices * vertex_bytes + corners * sizeof(std::uint32_t)), where);
 
     ModelPrimitive result;
     if (material) result.material = static_cast<std::int32_t>(*material);

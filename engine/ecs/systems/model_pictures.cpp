@@ -13,13 +13,23 @@ namespace sl {
 namespace {
 
 constexpr std::uint32_t largest_layer = 2048;
+/// Of one array texture, which OpenGL 4.5 promises.
+constexpr std::size_t most_layers = 2048;
+
+/// Pixels that are decoded for one model, by the bytes of its pictures: those of one colour take few bytes, and long to decode.
+constexpr std::uint64_t most_decoded_pixels(std::uint64_t bytes) { return 16 * bytes + (std::uint64_t{1} << 27); }
 
 /// Layers of one kind that are asked for, each once.
 class Wanted {
   public:
+    explicit Wanted(const Model& model) : images_(model.images) {}
+
     std::uint32_t layer_of(const ModelTexture& texture) {
         if (!texture) return no_texture;
-        const auto [entry, fresh] = layers_.try_emplace({texture.image, texture.nearest}, static_cast<std::uint32_t>(order_.size()));
+        const std::int32_t same = images_[static_cast<std::size_t>(texture.image)].same_as;
+        const Key key{same >= 0 ? same : texture.image, texture.nearest};
+        if (order_.size() >= most_layers && !layers_.contains(key)) return no_texture;
+        const auto [entry, fresh] = layers_.try_emplace(key, static_cast<std::uint32_t>(order_.size()));
         if (fresh) order_.push_back(entry->first);
         return entry->second;
     }
@@ -27,8 +37,30 @@ class Wanted {
     const std::vector<Key>& order() const { return order_; }
 
   private:
+    const std::vector<ModelImage>& images_;
     std::map<Key, std::uint32_t> layers_;
     std::vector<Key> order_;
+};
+
+/// What is decoded of a model, and what is not because it would take too long.
+class DecodedPixels {
+  public:
+    explicit DecodedPixels(const Model& model) {
+        std::uint64_t bytes = 0;
+        for (const ModelImage& image : model.images) bytes += image.bytes.size();
+        most_ = left_ = most_decoded_pixels(bytes);
+    }
+    /// Throws Error where a picture has too many.
+    uvec2 take(const ModelImage& image) {
+        const uvec2 size = picture_size(image);
+        const std::uint64_t pixels = std::uint64_t{size.x} * size.y;
+        if (pixels > left_) fail("{}: it is {} x {}, and the pictures before it leave {} of {} million pixels", image.name, size.x, size.y, left_ >> 20, most_ >> 20);
+        left_ -= pixels;
+        return size;
+    }
+
+  private:
+    std::uint64_t most_, left_;
 };
 
 float wrap_of(ModelTexture::Wrap wrap) {
@@ -61,14 +93,15 @@ std::optional<PictureParams> params_of(const ModelMaterial& material, Wanted& co
     return params;
 }
 
-std::uint32_t size_of(const Model& model, const std::vector<Wanted::Key>& wanted, std::uint64_t most_bytes) {
+/// `faults` says of each why it is not decoded.
+std::uint32_t size_of(const Model& model, const std::vector<Wanted::Key>& wanted, std::uint64_t most_bytes, DecodedPixels& decoded, std::vector<std::string>& faults) {
     std::uint32_t largest = 1;
-    for (const auto& [image, nearest] : wanted) {
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
         try {
-            const uvec2 size = picture_size(model.images[static_cast<std::size_t>(image)]);
+            const uvec2 size = decoded.take(model.images[static_cast<std::size_t>(wanted[i].first)]);
             largest = std::max({largest, size.x, size.y});
-        } catch (const Error&) {
-            // Told when it is decoded.
+        } catch (const Error& error) {
+            faults[i] = error.what();
         }
     }
     std::uint32_t size = std::min(std::bit_ceil(largest), largest_layer);
@@ -76,16 +109,17 @@ std::uint32_t size_of(const Model& model, const std::vector<Wanted::Key>& wanted
     return size;
 }
 
-TextureLayers layers_of(const Model& model, const std::vector<Wanted::Key>& wanted, PictureKind kind, std::uint64_t most_bytes, ModelProgress& progress, std::vector<std::string>& warnings) {
-    TextureLayers layers{.size = size_of(model, wanted, most_bytes), .layers = {}};
+TextureLayers layers_of(const Model& model, const std::vector<Wanted::Key>& wanted, PictureKind kind, std::uint64_t most_bytes, DecodedPixels& decoded, ModelProgress& progress,
+                        std::vector<std::string>& warnings) {
+    std::vector<std::string> faults(wanted.size());
+    TextureLayers layers{.size = size_of(model, wanted, most_bytes, decoded, faults), .layers = {}};
     layers.mips = picture_mips(layers.size);
     layers.layers.resize(wanted.size());
-    std::vector<std::string> faults(wanted.size());
     tbb::parallel_for(std::size_t{0}, wanted.size(), [&](std::size_t i) {
         if (progress.unwanted) return;
         Picture picture;
         try {
-            picture = decode_picture(model.images[static_cast<std::size_t>(wanted[i].first)]);
+            if (faults[i].empty()) picture = decode_picture(model.images[static_cast<std::size_t>(wanted[i].first)]);
         } catch (const Error& error) {
             faults[i] = error.what();
         }
@@ -127,12 +161,14 @@ std::uint32_t append(std::shared_ptr<const TextureLayers>& to, const TextureLaye
 
 ModelPictures model_pictures(const Model& model, ModelProgress& progress, std::uint64_t most_bytes) {
     ModelPictures pictures;
-    Wanted colours, data;
+    Wanted colours(model), data(model);
     for (const ModelMaterial& material : model.materials) pictures.materials.push_back(params_of(material, colours, data, pictures.warnings));
     progress.pictures = colours.order().size() + data.order().size();
+    if (std::max(colours.order().size(), data.order().size()) >= most_layers) pictures.warnings.push_back(fmt::format("more than {} pictures of one kind are not shown", most_layers));
+    DecodedPixels decoded(model);
     const std::size_t all = std::max<std::size_t>(progress.pictures, 1);
-    pictures.colours = layers_of(model, colours.order(), PictureKind::colour, most_bytes * colours.order().size() / all, progress, pictures.warnings);
-    pictures.data = layers_of(model, data.order(), PictureKind::data, most_bytes * data.order().size() / all, progress, pictures.warnings);
+    pictures.colours = layers_of(model, colours.order(), PictureKind::colour, most_bytes * colours.order().size() / all, decoded, progress, pictures.warnings);
+    pictures.data = layers_of(model, data.order(), PictureKind::data, most_bytes * data.order().size() / all, decoded, progress, pictures.warnings);
     for (auto& params : pictures.materials) {
         if (params) params->alpha.z = 0.5f / static_cast<float>(std::min(pictures.colours.size, pictures.data.layers.empty() ? pictures.colours.size : pictures.data.size));
     }
