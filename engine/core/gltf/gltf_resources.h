@@ -19,8 +19,8 @@ namespace sl {
 /// loads decides which folders it may lead to. Throws Error that names the file where it is not read.
 using GltfLoad = std::function<std::vector<std::byte>(const std::string& path)>;
 
-/// What may be made of so many stored bytes: many parts of a document may refer to the same, and elements that are all zeros
-/// are not stored. A short file must not take long, nor much memory.
+/// What accessors may hold together of so many stored bytes: they may overlap, and elements that are all zeros are not stored. A
+/// short file must not take long.
 constexpr std::size_t most_gltf_bytes(std::size_t stored) { return 4 * stored + (std::size_t{1} << 27); }
 
 /// What a document's buffers and images hold. Moving keeps the spans valid.
