@@ -60,6 +60,16 @@ void read_png(std::string_view bytes, PictureHeader& header) {
     }
 }
 
+/// Of a JPEG, from the first on. Behind a mark the bytes of pixels have a zero.
+std::size_t count_scans(std::string_view bytes) {
+    std::size_t scans = 0;
+    for (std::size_t at = bytes.find('\xff'); at != std::string_view::npos && at + 1 < bytes.size(); at = bytes.find('\xff', at + 1)) {
+        if (bytes[at + 1] == '\xd9') break;
+        if (bytes[at + 1] == '\xda') ++scans;
+    }
+    return scans;
+}
+
 /// Segments of a marker and a length, until the pixels begin.
 void read_jpeg(std::string_view bytes, PictureHeader& header) {
     const Numbers numbers(bytes);
@@ -74,7 +84,12 @@ void read_jpeg(std::string_view bytes, PictureHeader& header) {
         }
         constexpr std::uint32_t tables = 0xc4, reserved = 0xc8, arithmetic = 0xcc, scan = 0xda;
         constexpr std::size_t frame_bytes = 9;
-        if (marker == scan) break;
+        if (marker == scan) {
+            // Each goes over all pixels, in a few bytes where nothing changes. Programs that make pictures need about ten.
+            constexpr std::size_t most_scans = 64;
+            if (const std::size_t scans = count_scans(bytes.substr(at)); scans > most_scans) header.fault = fmt::format("has {} scans; {} are the limit", scans, most_scans);
+            break;
+        }
         const bool is_frame = marker >= 0xc0 && marker <= 0xcf && marker != tables && marker != reserved && marker != arithmetic;
         if (is_frame && bytes.size() - at >= frame_bytes) {
             header.size = glm::max(header.size, uvec2(numbers.high_first(at + 7, 2), numbers.high_first(at + 5, 2)));

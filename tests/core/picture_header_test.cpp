@@ -46,6 +46,16 @@ TEST(PictureHeader, PartsThatClaimMoreThanThereIsAreRefused) {
     EXPECT_EQ(fault(png_begin + "\0\0\0\0IEND\0\0\0\0 and whatever a camera adds"s), "");
 }
 
+TEST(PictureHeader, AJpegOfTooManyScansIsNotDecoded) {
+    const auto with = [](std::size_t scans) {
+        std::string bytes = jpeg;
+        for (std::size_t i = 0; i < scans; ++i) bytes += "\xff\xda\0\x02 pixels \xff\0\xda"s;
+        return bytes + "\xff\xd9 what follows is none: \xff\xda";
+    };
+    EXPECT_EQ(fault(with(64)), "");
+    EXPECT_EQ(fault(with(65)), "has 65 scans; 64 are the limit");
+}
+
 TEST(PictureHeader, EveryBeginningHasAFault) {
     const std::string png = png_begin;
     for (const std::string& whole : {png, jpeg, webp}) {

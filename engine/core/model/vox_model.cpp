@@ -185,6 +185,7 @@ void read_chunks(Reader& file, Contents& contents) {
         if (size + children > file.left()) fail("byte {}: a chunk of {} bytes, and {} are left", begin, size + children, file.left());
         Reader chunk = file.part(size, "a chunk");
         if (kind == "MAIN") continue;  // its children follow
+        if (kind == "SIZE" && contents.grids.size() == most_nodes) fail("byte {}: more than {} models", begin, most_nodes);
         if (kind == "SIZE") contents.grids.push_back({.size = size_of(chunk), .cells = {}});
         if (kind == "XYZI") {
             if (contents.grids.empty() || !contents.grids.back().cells.empty()) fail("byte {}: voxels without a size before them", begin);
