@@ -46,12 +46,12 @@ void build(World& world, const ComponentRegistry& registry, const SceneDocument&
            std::vector<Entity>& made) {
     const std::filesystem::path folder = document.paths.front().parent_path();
     std::unordered_map<std::string_view, Entity> by_name;
-    std::map<std::filesystem::path, MovedReferences> references;  // from each folder, which takes long to look up
+    std::map<std::shared_ptr<const std::filesystem::path>, MovedReferences> references;  // from each folder, which takes long to look up
     for (const SceneEntity& scene_entity : document.entities) {
         const Entity entity = world.create(Name{scene_entity.name});
         made.push_back(entity);
         by_name[scene_entity.name] = entity;
-        for (const SceneLayer& layer : scene_entity.layers) apply_layer(world, registry, entity, layer, references.try_emplace(layer.folder, layer.folder, folder).first->second);
+        for (const SceneLayer& layer : scene_entity.layers) apply_layer(world, registry, entity, layer, references.try_emplace(layer.folder, *layer.folder, folder).first->second);
     }
     for (std::size_t i = 0; i < made.size(); ++i) {
         const auto& parent = document.entities[i].parent;
