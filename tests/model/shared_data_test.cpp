@@ -69,9 +69,9 @@ class SharedDataTest : public ModelTest {
 };
 
 TEST_F(SharedDataTest, OfManyMeshesAndPrimitives) {
-    json["meshes"] = repeated({{"primitives", {primitive()}}}, 100'000);
+    json["meshes"] = repeated({{"primitives", {primitive()}}}, 20'000);
     EXPECT_THAT(refusal(), HasSubstr("MB by using the same numbers many times, which take 3 MB once; it may take 262 MB"));
-    json["meshes"] = {{{"primitives", repeated(primitive(), 100'000)}}};
+    json["meshes"] = {{{"primitives", repeated(primitive(), 20'000)}}};
     EXPECT_THAT(refusal(), HasSubstr("by using the same numbers many times"));
     // Each has corners of its own, and few of them.
     json["meshes"] = Json::array();
@@ -94,18 +94,18 @@ TEST_F(SharedDataTest, OfFlatMeshesThatAreSeenFromBothSides) {
 }
 
 TEST_F(SharedDataTest, OfMorphTargetsAndNodesThatMorph) {
-    json["meshes"] = {{{"primitives", {primitive({{"targets", repeated({{"POSITION", positions_}}, 100'000)}})}}}};
+    json["meshes"] = {{{"primitives", {primitive({{"targets", repeated({{"POSITION", positions_}}, 20'000)}})}}}};
     EXPECT_THAT(refusal(), HasSubstr("by using the same numbers many times"));
     json["meshes"] = {{{"primitives", {primitive({{"targets", {{{"POSITION", positions_}}}}})}}}};
     add_nodes(3);
     EXPECT_EQ(refusal(), "");
-    add_nodes(100'000);
+    add_nodes(20'000);
     EXPECT_THAT(refusal(), HasSubstr("by using the same numbers many times"));
 }
 
 TEST_F(SharedDataTest, OfSkinsAndAnimations) {
     const int matrices = add_accessor(std::vector<float>(16 * 10'000, 0.0f), 5126, "MAT4", 10'000);
-    json["nodes"] = {Json::object()};
+    json["nodes"] = Json::array({Json::object()});
     json["skins"] = repeated({{"joints", {0}}, {"inverseBindMatrices", matrices}}, 10'000);
     EXPECT_THAT(refusal(), HasSubstr("by using the same numbers many times"));
     json.erase("skins");
