@@ -109,6 +109,13 @@ std::uint32_t size_of(const Model& model, const std::vector<Wanted::Key>& wanted
     return size;
 }
 
+/// With all its mips.
+std::vector<std::uint8_t> white_layer(std::uint32_t size) {
+    std::size_t bytes = 0;
+    for (std::size_t side = size; side > 0; side /= 2) bytes += 4 * side * side;
+    return std::vector<std::uint8_t>(bytes, 255);
+}
+
 TextureLayers layers_of(const Model& model, const std::vector<Wanted::Key>& wanted, PictureKind kind, std::uint64_t most_bytes, DecodedPixels& decoded, ModelProgress& progress,
                         std::vector<std::string>& warnings) {
     std::vector<std::string> faults(wanted.size());
@@ -117,13 +124,12 @@ TextureLayers layers_of(const Model& model, const std::vector<Wanted::Key>& want
     layers.layers.resize(wanted.size());
     tbb::parallel_for(std::size_t{0}, wanted.size(), [&](std::size_t i) {
         if (progress.unwanted) return;
-        Picture picture;
         try {
-            if (faults[i].empty()) picture = decode_picture(model.images[static_cast<std::size_t>(wanted[i].first)]);
+            if (faults[i].empty()) layers.layers[i] = picture_layer(decode_picture(model.images[static_cast<std::size_t>(wanted[i].first)]), layers.size, kind, !wanted[i].second);
         } catch (const Error& error) {
             faults[i] = error.what();
         }
-        layers.layers[i] = picture_layer(picture, layers.size, kind, !wanted[i].second);
+        if (!faults[i].empty()) layers.layers[i] = white_layer(layers.size);
         ++progress.decoded;
     });
     for (const std::string& fault : faults) {
