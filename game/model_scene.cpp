@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "engine/core/log.h"
 #include "engine/ecs/active_camera.h"
@@ -27,15 +28,16 @@ bool any(World& world) {
 template <class Predicate>
 bool shows(World& world, const Predicate& is_such) {
     const auto& entries = world.resource<MaterialTable>().entries;
-    bool found = false;
-    Query<const MeshInstance>(world).each([&](const MeshInstance& instance) {
-        const auto row = static_cast<std::size_t>(std::max(instance.first_material, 0));
-        for (const Vertex& vertex : world.resource<MeshPool>().at(instance.mesh).vertices) {
+    // Many entities may show one mesh.
+    std::set<std::pair<MeshHandle, std::int32_t>> shown;
+    Query<const MeshInstance>(world).each([&](const MeshInstance& instance) { shown.emplace(instance.mesh, instance.first_material); });
+    return std::ranges::any_of(shown, [&](const auto& one) {
+        const auto row = static_cast<std::size_t>(std::max(one.second, 0));
+        return std::ranges::any_of(world.resource<MeshPool>().at(one.first).vertices, [&](const Vertex& vertex) {
             const std::size_t used = row + vertex.material;
-            found |= used < entries.size() && is_such(entries[used]);
-        }
+            return used < entries.size() && is_such(entries[used]);
+        });
     });
-    return found;
 }
 
 /// From a little above and to the right, just so far off that the corners of a box round everything fit in a picture of 3 : 2 or wider.

@@ -117,23 +117,38 @@ bool SceneChoice::chooses_light() const {
 SceneOpening::SceneOpening(SceneChoice choice) : app(empty_game()), choice_(std::move(choice)) {
     const std::filesystem::path path = scene_path(choice_.scene);
     is_model_ = is_model(path);
-    is_model_ ? add_model_scene(app, path) : read_scene(app.world, app.registry(), path);
+    if (is_model_) {
+        add_model_scene(app, path);
+    } else {
+        read_scene(app.world, app.registry(), path);
+        apply_choice();
+    }
+}
+
+bool SceneOpening::shows_models() {
+    bool any = false;
+    Query<const ModelFile>(app.world).each([&](const ModelFile&) { any = true; });
+    return any;
 }
 
 bool SceneOpening::advance(bool wait) {
     auto& library = app.world.resource<ModelLibrary>();
     library.at_once = wait;
-    if (is_model_) {
-        app.schedule.run(app.world);
-        if (const auto faults = library.faults(); !faults.empty()) fail("{}", faults.front());
-        if (!library.being_read().empty()) return false;
-    }
+    app.schedule.run(app.world);
+    if (const auto faults = library.faults(); !faults.empty()) fail("{}", faults.front());
+    if (!library.being_read().empty()) return false;
+    if (!is_model_ && choice_.camera.empty()) return true;
+    // It may be one of a model's.
     if (!choice_.camera.empty()) choose_camera(app.world, choice_.camera);
     if (is_model_) complete_model_scene(app);
-    if (!choice_.gi.empty()) choose_gi(app, choice_.gi);
-    for (const std::string& assignment : choice_.sets) set_field(app.world, app.registry(), assignment);
+    apply_choice();
     app.schedule.run(app.world);
     return true;
+}
+
+void SceneOpening::apply_choice() {
+    if (!choice_.gi.empty()) choose_gi(app, choice_.gi);
+    for (const std::string& assignment : choice_.sets) set_field(app.world, app.registry(), assignment);
 }
 
 App open_scene(const SceneChoice& choice) {

@@ -26,12 +26,15 @@ struct SceneChoice {
 /// An engine with the game's plugins and an empty world.
 App empty_game();
 
-/// A scene on its way, in an engine with the game's plugins. It is there at once, but for a model, whose file is read on a thread
-/// of its own.
+/// A scene on its way, in an engine with the game's plugins. It is there at once, but for models, whose files are read on threads
+/// of their own.
 class SceneOpening {
   public:
     /// Throws Error for what is wrong already.
     explicit SceneOpening(SceneChoice choice);
+
+    /// Whether it is a model, or has any.
+    bool shows_models();
 
     /// Takes in what has been read, or waits for it; whether the scene is there, its systems run once. Throws Error where it
     /// cannot be shown.
@@ -41,6 +44,8 @@ class SceneOpening {
     App app;
 
   private:
+    void apply_choice();
+
     SceneChoice choice_;
     bool is_model_;
 };

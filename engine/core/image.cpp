@@ -54,16 +54,17 @@ struct OpenImage {
 };
 
 /// Of one format: the library, left to itself, would try the parsers of thirty of them on a file from anywhere.
-OpenImage open_image(const fs::path& path, const char* format, const char* shown) {
+OpenImage open_image(const fs::path& path, PictureCoding coding, const char* shown) {
     std::error_code ignored;
     if (!fs::is_regular_file(path, ignored)) fail("{}: cannot be read: there is no such file", path.string());
     OpenImage open{.bytes = std::make_unique<std::string>(read_text_file(path, most_file_bytes)), .reader = {}, .input = {}};
-    const PictureHeader header = picture_header(*open.bytes, path.string());
-    if (header.format == nullptr || std::string_view(header.format) != format) fail("{}: it is not {}", path.string(), shown);
+    const PictureHeader header = picture_header(*open.bytes);
+    if (header.coding != coding) fail("{}: it is not {}", path.string(), shown);
+    if (!header.fault.empty()) fail("{}: it {}", path.string(), header.fault);
     open.reader = std::make_unique<MemoryReader>(open.bytes->data(), open.bytes->size());
     // The library's newer reader of EXR believes fewer lengths that files tell.
     OIIO::attribute("openexr:core", 1);
-    open.input = OIIO::ImageInput::create(format);
+    open.input = OIIO::ImageInput::create(picture_coding_name(coding));
     OIIO::ImageSpec config, spec;
     config["oiio:UnassociatedAlpha"] = 1;  // colours as stored, not multiplied by alpha
     if (!open.input || !open.input->set_ioproxy(open.reader.get()) || !open.input->open(path.string(), spec, config)) {
@@ -72,7 +73,7 @@ OpenImage open_image(const fs::path& path, const char* format, const char* shown
     return open;
 }
 
-OpenImage open_exr(const fs::path& path) { return open_image(path, "openexr", "an EXR"); }
+OpenImage open_exr(const fs::path& path) { return open_image(path, PictureCoding::openexr, "an EXR"); }
 
 void check_size(const fs::path& path, const OIIO::ImageSpec& spec) {
     if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.deep || spec.nchannels < 1) {
@@ -206,7 +207,7 @@ void write_png(const fs::path& path, const Image& image) {
 }
 
 Image read_png(const fs::path& path) {
-    const OpenImage open = open_image(path, "png", "a PNG");
+    const OpenImage open = open_image(path, PictureCoding::png, "a PNG");
     const OIIO::ImageSpec& spec = open.input->spec();
     std::vector<float> pixels = read_part(path, *open.input, 0);
     Image image;

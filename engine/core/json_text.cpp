@@ -69,7 +69,7 @@ void append(std::string& text, const ordered_json& value, std::size_t indent, st
 }  // namespace
 
 json parse_json(std::string_view text, std::string_view file) {
-    JsonRead read = read_json(text, {.deepest = deepest_json});
+    JsonRead read = read_json(text, {.deepest = deepest_json, .most_memory = most_json_memory});
     if (read.fault) fail("{}: {}", position(text, read.fault->byte, file), read.fault->message);
     if (read.repeated_key) fail("{}: an object has the key '{}' twice", file, for_message(*read.repeated_key));
     return std::move(read.document);

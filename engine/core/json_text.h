@@ -8,9 +8,11 @@
 namespace sl {
 
 inline constexpr int deepest_json = 64;
+/// Bytes of memory, without texts: of about a million entities of a scene.
+inline constexpr std::size_t most_json_memory = std::size_t{3} << 27;
 
 /// Parses a text that may be anything. Throws Error "file:line:column: what is wrong" for what is no JSON, is
-/// nested deeper than `deepest_json`, holds a number too large for a double, or names a key twice in one
+/// nested deeper than `deepest_json`, takes more than `most_json_memory`, holds a number too large for a double, or names a key twice in one
 /// object.
 nlohmann::json parse_json(std::string_view text, std::string_view file);
 

@@ -97,9 +97,9 @@ class Merge {
                  found->type_name());
         }
         std::unordered_set<std::string> names;
+        const auto folder = std::make_shared<const fs::path>(fs::path(file.shown).parent_path());
         for (std::size_t i = 0; i < found->size(); ++i) {
-            const SceneLayer layer{&(*found)[i], fmt::format("{}: /{}/{}", file.shown, scene_key::entities, i),
-                                   fs::path(file.shown).parent_path()};
+            const SceneLayer layer{&(*found)[i], fmt::format("{}: /{}/{}", file.shown, scene_key::entities, i), folder};
             const std::string name = name_of(layer);
             if (!names.insert(name).second) {
                 fail("{}/{}: there are two entities called '{}'", layer.where, scene_key::name,

@@ -32,7 +32,7 @@ inline constexpr std::string_view remove = "remove";
 struct SceneLayer {
     const nlohmann::json* object;
     std::string where;  ///< file and JSON pointer, for messages
-    std::filesystem::path folder;  ///< of the file
+    std::shared_ptr<const std::filesystem::path> folder;  ///< of the file; one for all that it says
 };
 
 /// An entity with all that the included files and the including one say about it, innermost first.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/ecs/scene_file.h"
 
+#include <map>
 #include <nlohmann/json.hpp>
 #include <unordered_map>
 #include <unordered_set>
@@ -23,8 +24,7 @@ using nlohmann::ordered_json;
 namespace {
 
 void apply_layer(World& world, const ComponentRegistry& registry, Entity entity, const SceneLayer& layer,
-                 const std::filesystem::path& folder) {
-    const MovedReferences references(layer.folder, folder);
+                 const MovedReferences& references) {
     for (const auto& item : layer.object->items()) {
         const std::string& key = item.key();
         if (key == scene_key::name || key == scene_key::parent || key == scene_key::remove) continue;
@@ -46,11 +46,12 @@ void build(World& world, const ComponentRegistry& registry, const SceneDocument&
            std::vector<Entity>& made) {
     const std::filesystem::path folder = document.paths.front().parent_path();
     std::unordered_map<std::string_view, Entity> by_name;
+    std::map<std::shared_ptr<const std::filesystem::path>, MovedReferences> references;  // from each folder, which takes long to look up
     for (const SceneEntity& scene_entity : document.entities) {
         const Entity entity = world.create(Name{scene_entity.name});
         made.push_back(entity);
         by_name[scene_entity.name] = entity;
-        for (const SceneLayer& layer : scene_entity.layers) apply_layer(world, registry, entity, layer, folder);
+        for (const SceneLayer& layer : scene_entity.layers) apply_layer(world, registry, entity, layer, references.try_emplace(layer.folder, *layer.folder, folder).first->second);
     }
     for (std::size_t i = 0; i < made.size(); ++i) {
         const auto& parent = document.entities[i].parent;
@@ -90,7 +91,10 @@ std::filesystem::path references_folder(const World& world) {
 }
 
 void read_scene(World& world, const ComponentRegistry& registry, const std::filesystem::path& path) {
-    SceneDocument document = read_scene_document(path);
+    add_scene(world, registry, read_scene_document(path));
+}
+
+void add_scene(World& world, const ComponentRegistry& registry, const SceneDocument& document) {
     std::vector<Entity> made;
     try {
         build(world, registry, document, made);
@@ -98,7 +102,7 @@ void read_scene(World& world, const ComponentRegistry& registry, const std::file
         for (const Entity entity : made) world.destroy(entity);
         throw;
     }
-    world.add_resource(SceneInfo{.description = std::move(document.description), .path = path, .schema = std::move(document.schema)});
+    world.add_resource(SceneInfo{.description = document.description, .path = document.paths.front(), .schema = document.schema});
 }
 
 void write_scene(const World& world, const ComponentRegistry& registry, const std::filesystem::path& path) {

@@ -8,6 +8,8 @@
 
 namespace sl {
 
+struct SceneDocument;
+
 /// Which scene the world holds, a resource.
 struct SceneInfo {
     std::string description;
@@ -29,6 +31,9 @@ std::filesystem::path references_folder(const World& world);
 /// name: single fields override, a component set to null is dropped, "remove": true drops the entity. Each file names
 /// others relative to itself. Comments (// and /* */) are passed over; docs/scene.schema.json has all the rest.
 void read_scene(World& world, const ComponentRegistry& registry, const std::filesystem::path& path);
+
+/// The same of a file that has been read (scene_document.h).
+void add_scene(World& world, const ComponentRegistry& registry, const SceneDocument& document);
 
 /// Writes every entity with a Name and its registered components, without includes and comments. Names of files become
 /// relative to the one that is written. Replaces the file whole or not at all. Throws Error where the file cannot be

@@ -18,7 +18,7 @@ namespace {
 
 json json_of(const ModelLoad& load) { return {{"load_s", load.load_s}, {"triangles", load.triangles}}; }
 
-json json_of(const ModelCost& cost) { return {{"capture_s", cost.capture_s}, {"peak_mb", cost.peak_mb}}; }
+json json_of(const CaptureCost& cost) { return {{"capture_s", cost.capture_s}, {"peak_mb", cost.peak_mb}}; }
 
 json json_of(const ModelErrors& errors) { return {{"nrmse", errors.nrmse}, {"bias", errors.bias}, {"reference_noise", errors.reference_noise}}; }
 

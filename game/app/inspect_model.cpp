@@ -72,7 +72,7 @@ void inspect_model(const std::filesystem::path& path) {
     fmt::print("nodes: {}\n", model.nodes.size());
     print_part("meshes", model.meshes, [](const ModelMesh& mesh) { return told(mesh); });
     print_part("materials", model.materials, [](const ModelMaterial& material) { return told(material); });
-    print_part("images", model.images, [](const ModelImage& image) { return fmt::format("{}: {} bytes", image.name, image.bytes.size()); });
+    print_part("images", model.images, [](const ModelImage& image) { return image.same_as < 0 ? fmt::format("{}: {} bytes", image.name, image.bytes.size()) : fmt::format("{}: as image {}", image.name, image.same_as); });
     print_part("lights", model.lights, [](const ModelLight& light) { return told(light); });
     print_part("cameras", model.cameras, [](const ModelCamera& camera) {
         const std::string seen = camera.height > 0.0f ? fmt::format("orthographic, {:.3g} m", camera.height) : fmt::format("{:.1f}°", glm::degrees(camera.fov_y));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <set>
 
 #include "engine/core/field_list.h"
@@ -31,30 +32,37 @@ std::vector<ComponentCount> counted(const World& world, const ComponentRegistry&
     return counts;
 }
 
-/// "lamp: spot_light, intensity 800 cd": per component that has any, the fields that are told.
-template <class Told>
-std::vector<std::string> fields_told(const World& world, const ComponentRegistry& registry, Told&& told) {
+/// "lamp: spot_light, intensity 800 cd": per component that has any, the fields of a kind that say something.
+template <class Kind>
+std::vector<std::string> fields_told(const World& world, const ComponentRegistry& registry, Kind&& is_kind) {
+    // Scenes may have a million entities, of components without such fields.
+    std::vector<const ComponentType*> types;
+    for (const ComponentType& type : registry.types()) {
+        FieldLister lister;
+        type.visit_default(lister);
+        if (std::ranges::any_of(lister.rows, is_kind)) types.push_back(&type);
+    }
     std::vector<std::string> lines;
     world.each_entity([&](Entity entity) {
-        for (const ComponentType& type : registry.types()) {
-            if (!type.has(world, entity)) continue;
+        for (const ComponentType* type : types) {
+            if (!type->has(world, entity)) continue;
             FieldLister lister;
-            type.visit_copy(world, entity, lister);
+            type->visit_copy(world, entity, lister);
             std::string fields;
             for (const FieldRow& row : lister.rows) {
-                if (told(row)) fields += fmt::format(", {} {}{}{}", row.name, row.value, row.unit.empty() ? "" : " ", row.unit);
+                if (is_kind(row) && !row.value.empty() && row.value != "0") fields += fmt::format(", {} {}{}{}", row.name, row.value, row.unit.empty() ? "" : " ", row.unit);
             }
-            if (!fields.empty()) lines.push_back(fmt::format("{}: {}{}", world.get<Name>(entity).value, type.name, fields));
+            if (!fields.empty()) lines.push_back(fmt::format("{}: {}{}", world.get<Name>(entity).value, type->name, fields));
         }
     });
     return lines;
 }
 
 bool is_light(const FieldRow& row) {
-    return (row.unit == "lux" || row.unit == "cd" || row.unit == "nit") && row.value != "0";
+    return row.unit == "lux" || row.unit == "cd" || row.unit == "nit";
 }
 
-bool is_file(const FieldRow& row) { return row.type == "file" && !row.value.empty(); }
+bool is_file(const FieldRow& row) { return row.type == "file"; }
 
 /// Of all models that are shown.
 std::set<std::string> model_warnings(World& world) {
@@ -72,8 +80,11 @@ void inspect_scene(const std::filesystem::path& path) {
     App app = empty_game();
     World& world = app.world;
     world.resource<ModelLibrary>().at_once = true;
-    const auto files = read_scene_document(path).paths;
-    read_scene(world, app.registry(), path);
+    const auto files = [&] {
+        const SceneDocument document = read_scene_document(path);
+        add_scene(world, app.registry(), document);
+        return document.paths;
+    }();
     const auto& info = world.resource<SceneInfo>();
     fmt::print("{}{}{}\n", path.string(), info.description.empty() ? "" : ": ", info.description);
     print_part("includes", std::span(files).subspan(1), [](const std::filesystem::path& file) { return file.string(); });

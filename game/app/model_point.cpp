@@ -28,7 +28,7 @@ ModelLoad measure_model_load(const ModelPoint& point) {
     return load;
 }
 
-ModelCost measure_model_capture(const GlobalFlags& global, const ModelPoint& point) {
+CaptureCost measure_model_capture(const GlobalFlags& global, const ModelPoint& point) {
     const auto start = Watch::now();
     App app = open_scene(point.choice);
     Headless headless(global);

@@ -23,12 +23,12 @@ struct ModelLoad {
 /// Throws Error where there is nothing to draw.
 ModelLoad measure_model_load(const ModelPoint& point);
 
-struct ModelCost {
+struct CaptureCost {
     double capture_s = 0.0;  ///< the whole capture: loading, a context, indirect light from nothing, the picture's file
     double peak_mb = 0.0;    ///< the most that the process held
 };
 /// Keeps capture.png.
-ModelCost measure_model_capture(const GlobalFlags& global, const ModelPoint& point);
+CaptureCost measure_model_capture(const GlobalFlags& global, const ModelPoint& point);
 
 /// Of irradiance, against the path-traced full transport; see ErrorMetrics.
 struct ModelErrors {

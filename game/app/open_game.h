@@ -9,11 +9,6 @@ namespace sl {
 /// Throws Error.
 App open_game(PlaySettings settings);
 
-/// Models are read in the background; worlds, and what they are made from, are not.
-bool opens_in_background(const PlaySettings& settings);
-/// What is shown while that is read.
-PlaySettings placeholder_of(PlaySettings settings);
-
 /// Adds all that a player can do to a scene that is there.
 void make_playable(App& app);
 

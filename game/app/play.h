@@ -38,7 +38,13 @@ class Play {
 
   private:
     using Clock = std::chrono::steady_clock;
+    struct Opening {
+        SceneOpening scene;
+        PlaySettings settings;
+    };
 
+    /// Of what shows models, whose files are read while the window is there; worlds, and what they are made from, are not.
+    static std::optional<Opening> opening_of(const PlaySettings& settings);
     void frame();
     double step_clock();
     /// Frees the mouse for menu or panel, and captures it again where it was when both are gone.
@@ -50,8 +56,6 @@ class Play {
     void open_wanted_world();
     /// Files that were dropped onto the window: a world, a scene or a model.
     void open_dropped(const std::vector<std::filesystem::path>& files);
-    /// Begins to open a model while what is there goes on.
-    void begin_opening(PlaySettings next);
     /// Throws Error where it cannot be opened and there is nothing else to show.
     void go_on_opening();
     void log_model_faults();
@@ -74,6 +78,7 @@ class Play {
 
     PlaySettings settings_;
     LiveSettings user_;
+    std::optional<Opening> opening_;
     App app_;
     Window window_;
     std::unique_ptr<gl::Context> context_;
@@ -85,11 +90,6 @@ class Play {
     HeldOver held_over_;
     std::optional<WorldChoice> wanted_world_;
     int frames_until_opened_ = 0;  ///< while the menu says which world is being opened
-    struct Opening {
-        SceneOpening scene;
-        PlaySettings settings;
-    };
-    std::optional<Opening> opening_;
     std::vector<std::string> model_faults_;  ///< that the log knows
     bool placeholder_ = false;  ///< what is shown only stands for what is being opened
     std::string asked_;         ///< for what may_leave was asked last, and when

@@ -38,6 +38,12 @@ std::filesystem::file_time_type newest_change(const std::filesystem::path& folde
     return newest;
 }
 
+/// What is shown while the files of a scene are read.
+PlaySettings placeholder_of(PlaySettings settings) {
+    settings.scene = {.scene = "empty"};
+    return settings;
+}
+
 std::string_view method_name(const RenderScene& scene) {
     return scene.gi ? scene.gi->method.name() : GiOff::name;
 }
@@ -47,7 +53,8 @@ std::string_view method_name(const RenderScene& scene) {
 Play::Play(const PlaySettings& settings)
     : settings_(settings),
       user_(settings_path()),
-      app_(open_game(opens_in_background(settings) ? placeholder_of(settings) : settings)),
+      opening_(opening_of(settings)),
+      app_(open_game(opening_ ? placeholder_of(settings) : settings)),
       window_(window_settings(settings.window, user_.values().picture)),
       context_(gl::create_context(gl::ContextKind::window, window_.native())),
       widgets_(window_) {
@@ -57,8 +64,7 @@ Play::Play(const PlaySettings& settings)
     menu_.folder = worlds_folder();
     // Last: no file is left behind by a game that does not begin.
     if (settings_.new_world) make_world(app_, settings_);
-    placeholder_ = opens_in_background(settings_);
-    if (placeholder_) begin_opening(settings_);
+    placeholder_ = opening_.has_value();
 }
 
 void Play::run() {

@@ -17,11 +17,10 @@ bool is_scene(const std::filesystem::path& file) { return file.extension() == ".
 
 }  // namespace
 
-bool opens_in_background(const PlaySettings& settings) { return settings.world.empty() && is_model(settings.scene.scene); }
-
-PlaySettings placeholder_of(PlaySettings settings) {
-    settings.scene = {.scene = "empty"};
-    return settings;
+std::optional<Play::Opening> Play::opening_of(const PlaySettings& settings) {
+    if (!settings.world.empty()) return std::nullopt;
+    Opening opening{.scene = SceneOpening(settings.scene), .settings = settings};
+    return opening.scene.shows_models() ? std::optional(std::move(opening)) : std::nullopt;
 }
 
 void Play::open_dropped(const std::vector<std::filesystem::path>& files) {
@@ -39,7 +38,10 @@ void Play::open_dropped(const std::vector<std::filesystem::path>& files) {
     next.world.clear();
     next.new_world = false;
     try {
-        if (opens_in_background(next)) return begin_opening(std::move(next));
+        if (auto opening = opening_of(next)) {
+            opening_.emplace(std::move(*opening));
+            return;
+        }
         App app = open_game(next);
         user_.enter(app, true);
         finish_world(app_.world);
@@ -47,11 +49,6 @@ void Play::open_dropped(const std::vector<std::filesystem::path>& files) {
     } catch (const std::exception& error) {
         tell(error.what());
     }
-}
-
-void Play::begin_opening(PlaySettings next) {
-    SceneOpening scene(next.scene);
-    opening_.emplace(std::move(scene), std::move(next));
 }
 
 void Play::go_on_opening() {

@@ -357,7 +357,26 @@ def open_files(screen, program, folder):
         game.shot_when("still_red", "and the square stays", lambda p: redness(p, middle) > 0.2)
         game.drop(square_model(files / "green.gltf", (0.05, 0.9, 0.05)))
         game.shot_when("green", "a green square takes its place", lambda p: redness(p, middle) < -0.2)
-        game.quit(expected_errors=("broken.glb",))
+        game.drop(scene_with(files / "scene.json", "red.gltf"))
+        game.shot_when("scene", "then a scene file that shows the red one", lambda p: redness(p, middle) > 0.2)
+        game.drop(scene_with(files / "wrong.json", "nowhere.gltf"))
+        game.wait("a scene whose model is not there is told", lambda: "nowhere.gltf" in game.log())
+        game.shot_when("still_scene", "and changes nothing", lambda p: redness(p, middle) > 0.2)
+        game.quit(expected_errors=("broken.glb", "nowhere.gltf"))
+    with Game(screen, program, folder / "models", str(files / "scene.json"), "--size", "480x270") as game:
+        game.shot_when("from_the_start", "a scene file with a model opens from the command line", lambda p: redness(p, middle) > 0.2)
+        game.quit()
+    done = run(program, "play", str(files / "wrong.json"), env=screen.env, timeout=PATIENCE)
+    check(done.returncode == 1 and "nowhere.gltf" in done.stderr, f"without its model a scene ends the game ({done.stderr.strip()[-200:]})")
+
+
+def scene_with(path, model):
+    """A scene file with a camera before a model, and a sun behind it."""
+    path.write_text(json.dumps({"secondlight_scene": 1, "entities": [
+        {"name": "camera", "transform": {"translation": [0, 0, 2]}, "camera": {"auto_exposure": True}},
+        {"name": "sun", "transform": {}, "directional_light": {}, "sun": {"azimuth": 3.5, "elevation": 0.5}},
+        {"name": "sky", "sky": {}}, {"name": "square", "transform": {}, "model": {"file": model}}]}))
+    return path
 
 
 def main():

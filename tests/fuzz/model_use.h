@@ -33,6 +33,7 @@ inline void use_model(const Model& model) {
     for (const ModelLight& light : model.lights) is_finite(light.colour.x, light.intensity, light.range, light.inner_cone, light.outer_cone);
     for (const ModelCamera& camera : model.cameras) is_finite(camera.fov_y, camera.height, camera.near);
     const auto show = [&](const ModelPose& pose) {
+        const std::vector<mat4> places = places_of(model, pose);
         for (std::size_t i = 0; i < model.nodes.size(); ++i) {
             const ModelNode& node = model.nodes[i];
             is_one_of(node.parent, i, "parent");
@@ -41,7 +42,7 @@ inline void use_model(const Model& model) {
             is_one_of(node.light, model.lights.size(), "light");
             is_one_of(node.camera, model.cameras.size(), "camera");
             if (node.mesh < 0) continue;
-            const auto joints = node.skin >= 0 ? joint_matrices(model, model.skins[static_cast<std::size_t>(node.skin)], pose) : std::vector<mat4>();
+            const auto joints = node.skin >= 0 ? joint_matrices(model.skins[static_cast<std::size_t>(node.skin)], places) : std::vector<mat4>();
             for (const ModelPrimitive& primitive : model.meshes[static_cast<std::size_t>(node.mesh)].primitives) {
                 MeshData moved;
                 if (deforms(primitive)) deform(primitive, primitive.mesh, pose.weights[i], joints, moved);

@@ -114,8 +114,7 @@ TEST_F(HostileModelTest, ElementsThatAreNotStored) {
         R"("accessors": [{"componentType": 5126, "count": 1000000, "type": "VEC3", "min": [0, 0, 0], "max": [0, 0, 0]}])";
     EXPECT_THAT(
         fault_of(with(zeros + R"(, "meshes": [{"primitives": [)" + primitives + "]}]")),
-        testing::ContainsRegex("model.gltf: /meshes/0/primitives/[0-9]+: it takes .* MB more, and the model far more than the 0 "
-                               "bytes that are stored"));
+        HasSubstr("model.gltf: the model would take 7629395 MB by using the same numbers many times, which take 0 MB once; it may take 256 MB"));
 }
 
 TEST_F(HostileModelTest, ScenesThatShareARootOfManySkins) {

@@ -47,11 +47,11 @@ TEST(ModelPose, JointsMoveVerticesAndNormals) {
     primitive.joints = {{.joints = {1, 0, 0, 0}, .weights = vec4(1, 0, 0, 0)}};
     ModelPose pose = rest_of(model);
     MeshData mesh;
-    deform(primitive, primitive.mesh, {}, joint_matrices(model, model.skins[0], pose), mesh);
+    deform(primitive, primitive.mesh, {}, joint_matrices(model.skins[0], places_of(model, pose)), mesh);
     EXPECT_LT(glm::length(mesh.vertices[0].position - vec3(0, 2, 0)), 1e-6f) << "at rest nothing moves";
     // The second joint turns by a quarter round z.
     pose.nodes[1].rotation = glm::angleAxis(glm::pi<float>() / 2.0f, vec3(0, 0, 1));
-    deform(primitive, primitive.mesh, {}, joint_matrices(model, model.skins[0], pose), mesh);
+    deform(primitive, primitive.mesh, {}, joint_matrices(model.skins[0], places_of(model, pose)), mesh);
     EXPECT_LT(glm::length(mesh.vertices[0].position - vec3(-1, 1, 0)), 1e-5f);
     EXPECT_LT(glm::length(unpack_normal(mesh.vertices[0].normal) - vec3(-1, 0, 0)), 1e-3f);
 }
@@ -70,7 +70,7 @@ TEST(ModelPose, TangentsMoveWithTheSurface) {
     EXPECT_LT(glm::length(unpack_normal(mesh.pictured.at(0).tangent) - vec3(0, 1, 0)), 1e-3f) << "morphed";
     // Sheared, the normal leans one way and the tangent the other: they stay at a right angle.
     pose.nodes[0].rotation = glm::angleAxis(glm::pi<float>() / 4.0f, vec3(0, 1, 0));
-    auto joints = joint_matrices(model, model.skins[0], pose);
+    auto joints = joint_matrices(model.skins[0], places_of(model, pose));
     joints[0] = glm::scale(mat4(1.0f), vec3(2, 1, 1)) * joints[0];
     deform(primitive, primitive.mesh, {}, joints, mesh);
     const vec3 tangent = unpack_normal(mesh.pictured[0].tangent);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/core/model/vox_model.h"
 
+#include "engine/core/model/voxel_mesh.h"
 #include "tests/model/model_fixture.h"
 
 namespace sl {
@@ -88,6 +89,33 @@ TEST_F(VoxModelTest, FaultsNameTheByte) {
         shape += number(0) + none;
     }
     EXPECT_THAT(fault_of(file(grid({1, 1, 1}, {}) + chunk("nGRP", group) + chunk("nSHP", shape))), HasSubstr("shown more than 100000 times"));
+}
+
+TEST_F(VoxModelTest, FacesAreThoseBetweenFullAndEmptyCells) {
+    VoxelGrid grid{.size = {5, 4, 3}, .cells = std::vector<std::uint8_t>(60)};
+    for (std::size_t i = 0; i < grid.cells.size(); ++i) grid.cells[i] = i * i % 7 < 3 ? static_cast<std::uint8_t>(1 + i % 2) : std::uint8_t{0};
+    std::size_t left = 1000;
+    const MeshData mesh = voxel_mesh(grid, vec3(0.0f), left);
+    EXPECT_EQ(left, 1000 - mesh.indices.size() / 6);
+    float area = 0.0f;
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+        const vec3 a = mesh.vertices[mesh.indices[i]].position, b = mesh.vertices[mesh.indices[i + 1]].position, c = mesh.vertices[mesh.indices[i + 2]].position;
+        area += 0.5f * glm::length(glm::cross(b - a, c - a));
+    }
+    float faces = 0.0f;
+    for (int z = 0; z < grid.size.z; ++z) {
+        for (int y = 0; y < grid.size.y; ++y) {
+            for (int x = 0; x < grid.size.x; ++x) {
+                for (const ivec3 side : {ivec3(1, 0, 0), ivec3(0, 1, 0), ivec3(0, 0, 1)}) {
+                    const ivec3 cell(x, y, z);
+                    if (grid.at(cell) != 0) faces += (grid.at(cell + side) == 0 ? 1.0f : 0.0f) + (grid.at(cell - side) == 0 ? 1.0f : 0.0f);
+                }
+            }
+        }
+    }
+    EXPECT_EQ(area, faces);
+    left = 5;
+    EXPECT_THROW((void)voxel_mesh({.size = {1, 1, 1}, .cells = {1}}, vec3(0.0f), left), Error) << "a cube has six";
 }
 
 }  // namespace

@@ -2,8 +2,6 @@
 #include "engine/core/gltf/gltf_elements.h"
 
 #include <algorithm>
-#include <cstdint>
-#include <cstring>
 
 namespace sl {
 
@@ -21,17 +19,6 @@ std::span<const std::byte> bytes_from(const GltfView& view, std::size_t offset, 
     const auto buffer = buffers[view.buffer];
     if (buffer.size() < view.offset + view.length) return {};
     return buffer.subspan(view.offset, view.length).subspan(std::min(offset, view.length));
-}
-
-/// 1 of a normalized type.
-double one(GltfComponent component) {
-    switch (component) {
-        case GltfComponent::int8: return INT8_MAX;
-        case GltfComponent::uint8: return UINT8_MAX;
-        case GltfComponent::int16: return INT16_MAX;
-        case GltfComponent::uint16: return UINT16_MAX;
-        default: return 1.0;
-    }
 }
 
 }  // namespace
@@ -55,6 +42,10 @@ std::optional<GltfElements> GltfElements::read(const GltfLayout& layout, Buffers
     elements.format_ = accessor.format;
     elements.count_ = accessor.count;
     elements.stride_ = accessor.stride;
+    for (std::size_t k = 0; k < elements.components(); ++k) {
+        const std::size_t column = k / accessor.format.rows, row = k % accessor.format.rows;
+        elements.component_at_[k] = static_cast<std::uint8_t>(column * accessor.format.column_bytes() + row * gltf_component_bytes(accessor.format.component));
+    }
     if (accessor.view) {
         elements.bytes_ = bytes_from(layout.views[*accessor.view], accessor.offset, buffers);
         if (elements.bytes_.empty()) return std::nullopt;
@@ -85,15 +76,23 @@ void GltfElements::replace(const GltfLayout& layout, Buffers buffers, const Gltf
 }
 
 double GltfElements::stored(std::size_t element, std::size_t component) const {
-    const std::size_t column = component / format_.rows, row = component % format_.rows;
-    return read_gltf_number(
-        &bytes_[element * stride_ + column * format_.column_bytes() + row * gltf_component_bytes(format_.component)],
-        format_.component);
+    return read_gltf_number(&bytes_[element * stride_ + component_at_[component]], format_.component);
 }
 
 double GltfElements::value(std::size_t element, std::size_t component) const {
     const double number = stored(element, component);
-    return format_.is_normalized ? std::max(number / one(format_.component), -1.0) : number;
+    return format_.is_normalized ? std::max(number / one(), -1.0) : number;
+}
+
+double GltfElements::one() const {
+    if (!format_.is_normalized) return 1.0;
+    switch (format_.component) {
+        case GltfComponent::int8: return INT8_MAX;
+        case GltfComponent::uint8: return UINT8_MAX;
+        case GltfComponent::int16: return INT16_MAX;
+        case GltfComponent::uint16: return UINT16_MAX;
+        default: return 1.0;
+    }
 }
 
 }  // namespace sl

@@ -36,17 +36,14 @@ class Ranges {
         range.most.fill(-infinity);
         const std::size_t components = elements->components();
         std::size_t wrong = 0, first_wrong = 0;
-        for (std::size_t i = 0; i < elements->count(); ++i) {
-            for (std::size_t k = 0; k < components; ++k) {
-                const double number = elements->stored(i, k);
-                if (!std::isfinite(number)) {
-                    if (wrong++ == 0) first_wrong = i;
-                    continue;
-                }
-                range.least[k] = std::min(range.least[k], number);
-                range.most[k] = std::max(range.most[k], number);
+        elements->each_stored([&](std::size_t i, std::size_t k, double number) {
+            if (!std::isfinite(number)) {
+                if (wrong++ == 0) first_wrong = i;
+                return;
             }
-        }
+            range.least[k] = std::min(range.least[k], number);
+            range.most[k] = std::max(range.most[k], number);
+        });
         if (wrong > 0) {
             faults_.note(fmt::format("/accessors/{}", index), "{} components are no finite numbers, first in element {}", wrong,
                          first_wrong);

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "engine/core/gltf/gltf_resources.h"
 
+#include <algorithm>
+#include <numeric>
+
 #include "engine/core/closest_name.h"
 #include "engine/core/error.h"
-#include "engine/core/gltf/gltf_image_header.h"
+#include "engine/core/gltf/gltf_media_type.h"
 #include "engine/core/gltf/gltf_uri.h"
 #include "engine/core/gltf/gltf_value.h"
 
@@ -29,6 +32,31 @@ void GltfResources::load(const json& document, const Container& container, const
         images_.push_back(read_image(images[i], views, load, GltfPlace(image_list, i), faults));
     }
     images_.resize(images.size());
+    leave_out_overlapping_images(faults);
+}
+
+void GltfResources::leave_out_overlapping_images(GltfFaults& faults) {
+    std::vector<std::size_t> order(images_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const std::less<const std::byte*> before;
+    // The largest that begin at a place first, and of those that are the same the first.
+    std::ranges::sort(order, [&](std::size_t a, std::size_t b) {
+        if (images_[a].data() != images_[b].data()) return before(images_[a].data(), images_[b].data());
+        return images_[a].size() != images_[b].size() ? images_[a].size() > images_[b].size() : a < b;
+    });
+    std::size_t last = 0;
+    Bytes kept;
+    for (const std::size_t i : order) {
+        Bytes& image = images_[i];
+        if (image.empty() || (image.data() == kept.data() && image.size() == kept.size())) continue;
+        if (!kept.empty() && before(image.data(), kept.data() + kept.size())) {
+            faults.note(fmt::format("/images/{}", i), "shares a part of its bytes with image {}, and is left out", last);
+            image = {};
+            continue;
+        }
+        kept = image;
+        last = i;
+    }
 }
 
 GltfResources::Bytes GltfResources::read_buffer(const json& buffer, std::optional<Bytes> binary, const GltfLoad& load,
@@ -60,7 +88,7 @@ GltfResources::Bytes GltfResources::read_image(const json& image, const json& vi
         const Found found = find(uri->get_ref<const std::string&>(), load, GltfPlace(place, "uri"));
         if (!found.fault.empty()) faults.note(place.text() + "/uri", "{}", found.fault);
         const std::string_view told = gltf_text_at(image, "mimeType");
-        const bool is_picture = gltf_image_kind_of(found.media_type) != GltfImageKind::unknown;
+        const bool is_picture = gltf_picture_coding(found.media_type) != PictureCoding::unknown;
         if (!found.media_type.empty() && (!is_picture || (!told.empty() && told != found.media_type))) {
             faults.note(place.text() + "/uri", "holds data of the type '{}', not {}", for_message(found.media_type),
                         told.empty() ? "a picture that the format knows" : for_message(told));

@@ -19,9 +19,9 @@ namespace sl {
 /// loads decides which folders it may lead to. Throws Error that names the file where it is not read.
 using GltfLoad = std::function<std::vector<std::byte>(const std::string& path)>;
 
-/// What may be made of so many stored bytes: many parts of a document may refer to the same, and elements that are all zeros
-/// are not stored. A short file must not take long, nor much memory.
-constexpr std::size_t most_gltf_bytes(std::size_t stored) { return 16 * stored + (std::size_t{1} << 27); }
+/// What accessors may hold together of so many stored bytes: they may overlap, and elements that are all zeros are not stored. A
+/// short file must not take long.
+constexpr std::size_t most_gltf_bytes(std::size_t stored) { return 4 * stored + (std::size_t{1} << 27); }
 
 /// What a document's buffers and images hold. Moving keeps the spans valid.
 class GltfResources {
@@ -45,7 +45,8 @@ class GltfResources {
 
     /// As long as the document states, or empty: it does not say where its bytes are, or that is no file beside.
     const std::vector<Bytes>& buffers() const { return buffers_; }
-    /// Undecoded; empty where the bytes are not there.
+    /// Undecoded; empty where the bytes are not there. Two are the same bytes or share none: what is made of them is in proportion to
+    /// what is stored.
     const std::vector<Bytes>& images() const { return images_; }
     /// Where the document refers to what is no file beside it, such as "http://x/a.png": "/images/0/uri". It may, and nobody
     /// looks for that.
@@ -65,6 +66,7 @@ class GltfResources {
                       const GltfPlace& place, GltfFaults& faults);
     Bytes read_image(const nlohmann::json& image, const nlohmann::json& views, const GltfLoad& load,
                      const GltfPlace& place, GltfFaults& faults);
+    void leave_out_overlapping_images(GltfFaults& faults);
 
     std::vector<Bytes> buffers_, images_;
     std::vector<std::string> elsewhere_;

@@ -97,14 +97,17 @@ GltfUri data_uri(std::string_view text) {
     }
     if (!type.empty() && type.find('/') == std::string_view::npos) return {};
     GltfUri uri{.kind = GltfUri::Kind::data, .media_type = in_small_letters(type)};
-    const auto plain = without_escapes(content);
-    if (!plain) return {};
+    // Most data have no escapes, and may be large.
+    const bool has_escapes = content.find('%') != std::string_view::npos;
+    const auto escaped = has_escapes ? without_escapes(content) : std::string();
+    if (!escaped) return {};
+    const std::string_view plain = has_escapes ? *escaped : content;
     if (is_base64) {
-        auto bytes = from_base64(*plain);
+        auto bytes = from_base64(plain);
         if (!bytes) return {};
         uri.data = std::move(*bytes);
     } else {
-        std::transform(plain->begin(), plain->end(), std::back_inserter(uri.data),
+        std::transform(plain.begin(), plain.end(), std::back_inserter(uri.data),
                        [](char c) { return static_cast<std::byte>(c); });
     }
     return uri;

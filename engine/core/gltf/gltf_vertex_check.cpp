@@ -92,8 +92,7 @@ class Vertices {
         std::size_t count = 0;
     };
 
-    /// Empty where a part of it is missing, or was read before: primitives that share their first weights are taken to
-    /// share the rest.
+    /// Empty where a part of it is missing, or was read before: primitives that share some weights are taken to share all.
     Skinning read_skinning(const json& attributes) {
         Skinning skinning;
         for (std::size_t set = 0; set < most_sets; ++set) {
@@ -101,7 +100,7 @@ class Vertices {
             const auto weight = attributes.find(fmt::format("WEIGHTS_{}", set));
             if (joint == attributes.end() || weight == attributes.end()) break;
             const std::size_t weight_accessor = *gltf_whole_number(*weight);
-            if (set == 0 && !is_new(GltfAttributeKind::weights, weight_accessor)) return {};
+            if (!is_new(GltfAttributeKind::weights, weight_accessor)) return {};
             auto joints = GltfElements::read(layout_, buffers_, *gltf_whole_number(*joint));
             auto weights = GltfElements::read(layout_, buffers_, weight_accessor);
             if (!joints || !weights) return {};

@@ -187,14 +187,7 @@ std::optional<ModelPrimitive> gltf_primitive(const json& primitive, const std::v
     const ModelMaterial surface = material ? materials[*material] : ModelMaterial{};
     const AccessorValues normals = attribute(attributes, "NORMAL", reader), colours = attribute(attributes, "COLOR_0", reader);
     const AccessorValues coordinates = coordinates_of(attributes, surface.uv_sets[0], reader);
-    const std::size_t corners = indices->size() * (mode == Mode::triangles ? 1 : 3);
-    const std::size_t vertex_bytes = sizeof(Vertex) + (attributes.contains("JOINTS_0") ? sizeof(ModelJoints) : 0) +
-                                     (surface.needs_pictured_vertices() ? sizeof(PicturedVertex) : 0) +
-                                     3 * sizeof(vec3) * gltf_list(primitive, "targets").size();
     const bool makes_tangents = surface.normal_texture && (normals.numbers.empty() || !attributes.contains("TANGENT"));
-    // Flat normals give each corner a vertex of its own, and where the normal texture lies mirrored, vertices are parted.
-    const std::size_t vertices = normals.numbers.empty() ? corners : makes_tangents ? 2 * count : count;
-    reader.spend((surface.two_sided ? 2 : 1) * (vertices * vertex_bytes + corners * sizeof(std::uint32_t)), where);
 
     ModelPrimitive result;
     if (material) result.material = static_cast<std::int32_t>(*material);

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <array>
+#include <unordered_map>
 
 #include "engine/core/closest_name.h"
 #include "engine/core/error.h"
 #include "engine/core/gltf/gltf_check.h"
 #include "engine/core/model/file_bytes.h"
+#include "engine/core/model/gltf_expansion.h"
 #include "engine/core/model/gltf_floats.h"
 #include "engine/core/model/gltf_material.h"
 #include "engine/core/model/gltf_mesh.h"
@@ -67,18 +69,23 @@ void warn_of_unknown_extensions(GltfReader& reader) {
 std::vector<ModelImage> images_of(GltfReader& reader) {
     std::vector<ModelImage> images;
     const json& list = gltf_list(reader.document(), "images");
-    std::size_t left = most_gltf_bytes(reader.resources().stored_bytes());
+    std::unordered_map<const std::byte*, std::int32_t> first;
     for (std::size_t i = 0; i < list.size(); ++i) {
         const std::string where = fmt::format("/images/{}", i);
         const std::string_view uri = gltf_text_at(list[i], "uri");
         const auto bytes = reader.resources().images()[i];
-        if (bytes.size() > left)
-            fail("{}: the pictures take far more bytes together than the {} that are stored", where,
-                 reader.resources().stored_bytes());
-        left -= bytes.size();
-        if (bytes.empty()) reader.warn(where, "the picture cannot be read, and is white");
-        images.push_back({.name = uri.empty() || uri.starts_with("data:") ? where : for_message(uri, 120),
-                          .bytes = {bytes.begin(), bytes.end()}});
+        ModelImage& image = images.emplace_back();
+        image.name = uri.empty() || uri.starts_with("data:") ? where : for_message(uri, 120);
+        if (bytes.empty()) {
+            reader.warn(where, "the picture cannot be read, and is white");
+            continue;
+        }
+        const auto [found, is_new] = first.try_emplace(bytes.data(), static_cast<std::int32_t>(i));
+        if (is_new) {
+            image.bytes.assign(bytes.begin(), bytes.end());
+        } else {
+            image.same_as = found->second;
+        }
     }
     return images;
 }
@@ -102,6 +109,7 @@ Model model_of(const GltfChecked& file) {
     warn_of_unknown_extensions(reader);
     Model model;
     model.materials = gltf_materials(reader);
+    check_gltf_expansion(file, model.materials);
     model.images = images_of(reader);
     const json& meshes = gltf_list(reader.document(), "meshes");
     for (std::size_t i = 0; i < meshes.size(); ++i)
@@ -114,12 +122,14 @@ Model model_of(const GltfChecked& file) {
 }  // namespace
 
 Model read_gltf(const std::filesystem::path& path, const ModelReading& reading) {
-    const std::vector<std::byte> bytes = file_bytes(path, reading.most_bytes);
+    std::vector<std::byte> bytes = file_bytes(path, reading.most_bytes);
     const Folder folder{.path = path.has_parent_path() ? path.parent_path() : ".", .reading = reading};
     try {
         const GltfChecked file = check_gltf(
             bytes, [&](const std::string& beside) { return folder.read(beside); }, known_extensions);
         stop_at_fatal(file.faults);
+        // Of a text nothing is needed any more.
+        if (!file.file.is_container) std::vector<std::byte>().swap(bytes);
         return model_of(file);
     } catch (const std::bad_alloc&) {
         fail("{}: it needs more memory than there is", path.string());

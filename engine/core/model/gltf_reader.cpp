@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "engine/core/model/gltf_reader.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "engine/core/error.h"
 #include "engine/core/gltf/gltf_elements.h"
 
 namespace sl {
@@ -18,15 +18,16 @@ template <class Number>
 std::optional<std::vector<Number>> GltfReader::read(std::size_t number) {
     const GltfAccessor& accessor = file_.layout.accessors[number];
     const std::size_t width = accessor.format.components();
-    spend(accessor.count * width * sizeof(Number), fmt::format("/accessors/{}", number));
     if (!accessor.view && !accessor.sparse) return std::vector<Number>(accessor.count * width);
     const auto elements = GltfElements::read(file_.layout, file_.resources.buffers(), number);
     if (!elements) return std::nullopt;
     std::vector<Number> numbers;
     numbers.reserve(accessor.count * width);
-    for (std::size_t i = 0; i < accessor.count; ++i) {
-        for (std::size_t k = 0; k < width; ++k) numbers.push_back(static_cast<Number>(elements->value(i, k)));
-    }
+    const double one = elements->one();
+    const bool is_normalized = accessor.format.is_normalized;
+    elements->each_stored([&](std::size_t, std::size_t, double stored) {
+        numbers.push_back(static_cast<Number>(is_normalized ? std::max(stored / one, -1.0) : stored));
+    });
     return numbers;
 }
 
@@ -39,14 +40,6 @@ std::optional<AccessorValues> GltfReader::values(std::size_t accessor) {
 
 std::optional<std::vector<std::uint32_t>> GltfReader::indices(std::size_t accessor) {
     return read<std::uint32_t>(accessor);
-}
-
-void GltfReader::spend(std::size_t bytes, const std::string& where) {
-    if (bytes > bytes_left_) {
-        fail("{}: it takes {} MB more, and the model far more than the {} bytes that are stored", where, (bytes >> 20) + 1,
-             file_.resources.stored_bytes());
-    }
-    bytes_left_ -= bytes;
 }
 
 void GltfReader::warn(std::string_view where, std::string_view what) {

@@ -17,21 +17,18 @@ struct AccessorValues {
     std::vector<float> numbers;
 };
 
-/// What a model is made from: a file without a fatal fault, whose types, references and ranges need no second look. It stops
-/// where the model would take far more memory than the file: see most_gltf_bytes.
+/// What a model is made from: a file without a fatal fault, whose types, references and ranges need no second look.
 class GltfReader {
   public:
-    explicit GltfReader(const GltfChecked& file) : file_(file), bytes_left_(2 * most_gltf_bytes(file.resources.stored_bytes())) {}
+    explicit GltfReader(const GltfChecked& file) : file_(file) {}
 
     const nlohmann::json& document() const { return file_.file.json; }
     const GltfResources& resources() const { return file_.resources; }
 
-    /// Nothing where the bytes lie in a file that is not read. Throws like `spend`.
+    /// Nothing where the bytes lie in a file that is not read.
     std::optional<AccessorValues> values(std::size_t accessor);
     /// The same of whole numbers.
     std::optional<std::vector<std::uint32_t>> indices(std::size_t accessor);
-    /// Before so many bytes are taken for the model. Throws Error where all together become too much.
-    void spend(std::size_t bytes, const std::string& where);
 
     /// For what is left out or not understood; `where` is its place in the file, "" the whole. Only the first hundred are kept.
     void warn(std::string_view where, std::string_view what);
@@ -43,7 +40,6 @@ class GltfReader {
     std::optional<std::vector<Number>> read(std::size_t accessor);
 
     const GltfChecked& file_;
-    std::size_t bytes_left_;
     std::vector<std::string> warnings_;
     std::size_t untold_ = 0;
 };

@@ -16,6 +16,7 @@ namespace sl {
 struct ModelImage {
     std::string name;  ///< for messages: a file's, or where in the model it stands
     std::vector<std::byte> bytes;
+    std::int32_t same_as = -1;  ///< the image before it that holds the bytes of both; -1: its own
 };
 
 /// How a material reads a picture: uv_in_picture = transform * (uv, 1), v down as in glTF.

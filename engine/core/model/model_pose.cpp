@@ -101,12 +101,16 @@ ModelPose pose_at(const Model& model, const ModelAnimation& animation, double se
 
 bool deforms(const ModelPrimitive& primitive) { return !primitive.joints.empty() || !primitive.morphs.empty(); }
 
-std::vector<mat4> joint_matrices(const Model& model, const ModelSkin& skin, const ModelPose& pose) {
+std::vector<mat4> places_of(const Model& model, const ModelPose& pose) {
     std::vector<mat4> places(model.nodes.size());
     for (std::size_t i = 0; i < places.size(); ++i) {
         const std::int32_t parent = model.nodes[i].parent;
         places[i] = parent >= 0 ? places[static_cast<std::size_t>(parent)] * matrix_of(pose.nodes[i]) : matrix_of(pose.nodes[i]);
     }
+    return places;
+}
+
+std::vector<mat4> joint_matrices(const ModelSkin& skin, const std::vector<mat4>& places) {
     std::vector<mat4> matrices;
     for (std::size_t i = 0; i < skin.joints.size(); ++i) matrices.push_back(places[static_cast<std::size_t>(skin.joints[i])] * skin.joint_from_mesh[i]);
     return matrices;

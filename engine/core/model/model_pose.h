@@ -25,8 +25,10 @@ ModelPose pose_at(const Model& model, const ModelAnimation& animation, double se
 
 /// Whether anything but its node moves a mesh's vertices.
 bool deforms(const ModelPrimitive& primitive);
-/// model_from_joint · joint_from_mesh of each joint of a skin; in which scene does not matter.
-std::vector<mat4> joint_matrices(const Model& model, const ModelSkin& skin, const ModelPose& pose);
+/// model_from_node of all nodes; in which scene does not matter.
+std::vector<mat4> places_of(const Model& model, const ModelPose& pose);
+/// model_from_joint · joint_from_mesh of each joint of a skin, from the places of all nodes.
+std::vector<mat4> joint_matrices(const ModelSkin& skin, const std::vector<mat4>& places);
 /// Moves a mesh's vertices from where the file has them: morphs first, then joints. A skin moves a mesh in the space of the whole model.
 /// `joints` may be empty. Normals of skinned vertices are those of the blended matrix's cofactors;
 /// tangents move along with the surface.

@@ -31,11 +31,13 @@ void check_picture_size(const ModelImage& image, std::uint64_t width, std::uint6
 }
 
 OpenPicture open_picture(const ModelImage& image) {
-    const PictureHeader header = picture_header({reinterpret_cast<const char*>(image.bytes.data()), image.bytes.size()}, image.name);
-    if (header.format == nullptr || std::string_view(header.format) == "openexr") fail("{}: it is no PNG, JPEG or WebP", image.name);
+    const PictureHeader header = picture_header({reinterpret_cast<const char*>(image.bytes.data()), image.bytes.size()});
+    const bool is_known = header.coding == PictureCoding::png || header.coding == PictureCoding::jpeg || header.coding == PictureCoding::webp;
+    if (!is_known) fail("{}: it is no PNG, JPEG or WebP", image.name);
+    if (!header.fault.empty()) fail("{}: it {}", image.name, header.fault);
     check_picture_size(image, header.size.x, header.size.y);
-    OpenPicture open{.reader = std::make_unique<MemoryReader>(image.bytes.data(), image.bytes.size()), .input = OIIO::ImageInput::create(header.format)};
-    if (open.input == nullptr) fail("{}: pictures of this format ({}) cannot be read here", image.name, header.format);
+    OpenPicture open{.reader = std::make_unique<MemoryReader>(image.bytes.data(), image.bytes.size()), .input = OIIO::ImageInput::create(picture_coding_name(header.coding))};
+    if (open.input == nullptr) fail("{}: pictures of this format ({}) cannot be read here", image.name, picture_coding_name(header.coding));
     OIIO::ImageSpec config, spec;
     // Colours are not multiplied by their alpha.
     config.attribute("oiio:UnassociatedAlpha", 1);
@@ -62,6 +64,22 @@ std::uint8_t byte_of(float value) { return static_cast<std::uint8_t>(std::lround
 
 std::uint8_t encoded(float linear) { return byte_of(srgb_from_linear(std::clamp(linear, 0.0f, 1.0f))); }
 
+/// Of the pixels that fall together where the picture is made of `blocks`.
+std::array<float, 4> mean_of_block(const Picture& picture, uvec2 block, uvec2 blocks, bool colour) {
+    const auto first = [](std::uint32_t number, std::uint32_t size, std::uint32_t count) { return static_cast<std::uint32_t>(std::uint64_t{number} * size / count); };
+    const std::uint32_t left = first(block.x, picture.width, blocks.x), right = first(block.x + 1, picture.width, blocks.x), top = first(block.y, picture.height, blocks.y),
+                        bottom = first(block.y + 1, picture.height, blocks.y);
+    std::array<float, 4> sum{};
+    for (std::uint32_t y = top; y < bottom; ++y) {
+        for (std::uint32_t x = left; x < right; ++x) {
+            const std::uint8_t* pixel = &picture.pixels[4 * (std::size_t{y} * picture.width + x)];
+            for (std::size_t k = 0; k < 4; ++k) sum[k] += colour && k != 3 ? decoded(pixel[k]) : static_cast<float>(pixel[k]) / 255.0f;
+        }
+    }
+    for (float& number : sum) number /= static_cast<float>((right - left) * (bottom - top));
+    return sum;
+}
+
 /// Of floats, red, green, blue and alpha.
 OIIO::ImageBuf resized(const OIIO::ImageBuf& from, std::uint32_t size, bool smooth) {
     const auto side = static_cast<int>(size);
@@ -84,18 +102,16 @@ Picture decode_picture(const ModelImage& image) {
     const auto channels = static_cast<std::size_t>(spec.nchannels);
     Picture picture{.width = static_cast<std::uint32_t>(spec.width), .height = static_cast<std::uint32_t>(spec.height), .pixels = {}};
     const std::size_t count = std::size_t{picture.width} * picture.height;
-    std::vector<std::uint8_t> read(count * channels);
-    if (!open.input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, read.data())) {
+    constexpr int most_channels = 4;
+    picture.pixels.assign(count * most_channels, 255);
+    if (!open.input->read_image(0, 0, 0, std::min(spec.nchannels, most_channels), OIIO::TypeDesc::UINT8, picture.pixels.data(), most_channels)) {
         const std::string why = for_message(open.input->geterror());
         fail("{}: it cannot be decoded: {}", image.name, why);
     }
-    picture.pixels.resize(count * 4);
-    for (std::size_t i = 0; i < count; ++i) {
-        const std::uint8_t* from = &read[i * channels];
-        std::uint8_t* to = &picture.pixels[4 * i];
-        const bool grey = channels < 3;
-        for (std::size_t k = 0; k < 3; ++k) to[k] = from[grey ? 0 : k];
-        to[3] = channels == 2 ? from[1] : channels >= 4 ? from[3] : 255;
+    for (std::size_t i = 0; channels < 3 && i < count; ++i) {
+        std::uint8_t* pixel = &picture.pixels[4 * i];
+        if (channels == 2) pixel[3] = pixel[1];
+        pixel[1] = pixel[2] = pixel[0];
     }
     return picture;
 }
@@ -104,9 +120,16 @@ std::uint32_t picture_mips(std::uint32_t size) { return static_cast<std::uint32_
 
 std::vector<std::uint8_t> picture_layer(const Picture& picture, std::uint32_t size, PictureKind kind, bool smooth) {
     const bool colour = kind == PictureKind::colour;
-    std::vector<float> linear(picture.pixels.size());
-    for (std::size_t i = 0; i < linear.size(); ++i) linear[i] = colour && i % 4 != 3 ? decoded(picture.pixels[i]) : static_cast<float>(picture.pixels[i]) / 255.0f;
-    const OIIO::ImageBuf whole(OIIO::ImageSpec(static_cast<int>(picture.width), static_cast<int>(picture.height), 4, OIIO::TypeDesc::FLOAT), linear.data());
+    // Floats of all pixels of a large picture would take a gigabyte, so blocks of them are averaged first.
+    const std::uint32_t width = smooth ? picture.width / std::max(picture.width / size, 1u) : picture.width, height = smooth ? picture.height / std::max(picture.height / size, 1u) : picture.height;
+    std::vector<float> linear(std::size_t{width} * height * 4);
+    for (std::uint32_t y = 0; y < height; ++y) {
+        for (std::uint32_t x = 0; x < width; ++x) {
+            const std::array<float, 4> mean = mean_of_block(picture, uvec2(x, y), uvec2(width, height), colour);
+            std::ranges::copy(mean, linear.begin() + static_cast<std::ptrdiff_t>(4 * (std::size_t{y} * width + x)));
+        }
+    }
+    const OIIO::ImageBuf whole(OIIO::ImageSpec(static_cast<int>(width), static_cast<int>(height), 4, OIIO::TypeDesc::FLOAT), linear.data());
     OIIO::ImageBuf level = resized(whole, size, smooth);
     std::vector<std::uint8_t> bytes;
     std::vector<float> pixels;

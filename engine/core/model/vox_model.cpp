@@ -185,6 +185,7 @@ void read_chunks(Reader& file, Contents& contents) {
         if (size + children > file.left()) fail("byte {}: a chunk of {} bytes, and {} are left", begin, size + children, file.left());
         Reader chunk = file.part(size, "a chunk");
         if (kind == "MAIN") continue;  // its children follow
+        if (kind == "SIZE" && contents.grids.size() == most_nodes) fail("byte {}: more than {} models", begin, most_nodes);
         if (kind == "SIZE") contents.grids.push_back({.size = size_of(chunk), .cells = {}});
         if (kind == "XYZI") {
             if (contents.grids.empty() || !contents.grids.back().cells.empty()) fail("byte {}: voxels without a size before them", begin);
@@ -302,11 +303,12 @@ Model model_of(Contents& contents) {
     model.scenes.emplace_back();
     if (!contents.own_palette) make_palette(contents);
     for (std::size_t i = 1; i < 256; ++i) model.materials.push_back(material_of(contents, i));
+    std::size_t faces_left = most_voxel_faces;
     for (const VoxelGrid& grid : contents.grids) {
         if (grid.cells.empty()) fail("a model has a size and no voxels");
         // A file with a scene places models by their middles, in whole cells.
         const vec3 low = contents.nodes.empty() ? vec3(0.0f) : -glm::floor(0.5f * vec3(grid.size));
-        model.meshes.push_back({.name = "", .primitives = {ModelPrimitive{.mesh = voxel_mesh(grid, low), .material = 0}}, .weights = {}});
+        model.meshes.push_back({.name = "", .primitives = {ModelPrimitive{.mesh = voxel_mesh(grid, low, faces_left), .material = 0}}, .weights = {}});
     }
     if (model.meshes.empty()) model.warnings.emplace_back("there are no voxels in it");
     Assembler(contents, model).place_all();

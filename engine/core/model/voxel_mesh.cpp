@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "engine/core/model/voxel_mesh.h"
 
+#include <algorithm>
 #include <limits>
+
+#include "engine/core/error.h"
 
 namespace sl {
 
@@ -38,6 +41,55 @@ void append_quad(MeshData& mesh, const Side& side, int plane, Rectangle area, st
     for (const std::uint32_t corner : {0u, up ? 1u : 2u, up ? 2u : 1u, 0u, up ? 2u : 3u, up ? 3u : 2u}) mesh.indices.push_back(first + corner);
 }
 
+/// The rows along x that hold anything: most of a large grid is empty.
+struct FullRows {
+    std::vector<std::vector<int>> by_y, by_z;  ///< the other coordinate of each
+
+    explicit FullRows(const VoxelGrid& grid) : by_y(static_cast<std::size_t>(grid.size.y)), by_z(static_cast<std::size_t>(grid.size.z)) {
+        auto row = grid.cells.begin();
+        for (int z = 0; z < grid.size.z; ++z) {
+            for (int y = 0; y < grid.size.y; ++y, row += grid.size.x) {
+                if (std::all_of(row, row + grid.size.x, [](std::uint8_t cell) { return cell == 0; })) continue;
+                by_y[static_cast<std::size_t>(y)].push_back(z);
+                by_z[static_cast<std::size_t>(z)].push_back(y);
+            }
+        }
+    }
+};
+
+/// Calls visit(cell) for all of a slice that may be full.
+template <class Visit>
+void each_in_slice(const VoxelGrid& grid, const FullRows& rows, int axis, int slice, Visit&& visit) {
+    if (axis == 0) {
+        for (int z = 0; z < grid.size.z; ++z) {
+            for (const int y : rows.by_z[static_cast<std::size_t>(z)]) visit(ivec3(slice, y, z));
+        }
+        return;
+    }
+    for (const int other : (axis == 1 ? rows.by_y : rows.by_z)[static_cast<std::size_t>(slice)]) {
+        for (int x = 0; x < grid.size.x; ++x) visit(axis == 1 ? ivec3(x, slice, other) : ivec3(x, other, slice));
+    }
+}
+
+/// The numbers of full cells in a slice that have none before them on a side; whether there are any.
+bool find_faces(const VoxelGrid& grid, const FullRows& rows, const Side& side, int slice, std::vector<std::uint8_t>& faces) {
+    const int before = slice + side.sign;
+    const bool is_outermost = before < 0 || before >= grid.size[side.axis];
+    ivec3 step(0);
+    step[side.axis] = 1;
+    const auto to_before = side.sign * static_cast<std::ptrdiff_t>(grid.index(step));
+    const auto width = static_cast<std::size_t>(grid.size[side.u()]);
+    bool any = false;
+    std::ranges::fill(faces, std::uint8_t{0});
+    each_in_slice(grid, rows, side.axis, slice, [&](ivec3 cell) {
+        const std::uint8_t* at = &grid.cells[grid.index(cell)];
+        if (*at == 0 || (!is_outermost && at[to_before] != 0)) return;
+        faces[static_cast<std::size_t>(cell[side.v()]) * width + static_cast<std::size_t>(cell[side.u()])] = *at;
+        any = true;
+    });
+    return any;
+}
+
 /// Cuts a slice's faces into rectangles of one number, each as wide and then as high as it goes.
 template <class Emit>
 void merge(std::vector<std::uint8_t>& faces, int width, int height, Emit&& emit) {
@@ -65,8 +117,9 @@ void merge(std::vector<std::uint8_t>& faces, int width, int height, Emit&& emit)
 
 }  // namespace
 
-MeshData voxel_mesh(const VoxelGrid& grid, vec3 low) {
+MeshData voxel_mesh(const VoxelGrid& grid, vec3 low, std::size_t& faces_left) {
     MeshData mesh;
+    const FullRows rows(grid);
     for (int axis = 0; axis < 3; ++axis) {
         for (const int sign : {1, -1}) {
             const Side side{axis, sign};
@@ -74,16 +127,11 @@ MeshData voxel_mesh(const VoxelGrid& grid, vec3 low) {
             std::vector<std::uint8_t> faces(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
             MeshData::Facing facing{.axis = axis, .sign = static_cast<float>(sign), .first = static_cast<std::uint32_t>(mesh.indices.size()), .count = 0, .lowest = std::numeric_limits<float>::infinity()};
             for (int slice = 0; slice < grid.size[axis]; ++slice) {
-                ivec3 cell(slice), step(0);
-                step[axis] = sign;
-                for (cell[side.v()] = 0; cell[side.v()] < height; ++cell[side.v()]) {
-                    for (cell[side.u()] = 0; cell[side.u()] < width; ++cell[side.u()]) {
-                        cell[axis] = slice;
-                        faces[static_cast<std::size_t>(cell[side.v()]) * static_cast<std::size_t>(width) + static_cast<std::size_t>(cell[side.u()])] = grid.at(cell + step) == 0 ? grid.at(cell) : std::uint8_t{0};
-                    }
-                }
+                if (!find_faces(grid, rows, side, slice, faces)) continue;
                 const int plane = slice + (sign > 0 ? 1 : 0);
                 merge(faces, width, height, [&](Rectangle area, std::uint8_t number) {
+                    if (faces_left == 0) fail("its voxels have more than {} faces", most_voxel_faces);
+                    --faces_left;
                     append_quad(mesh, side, plane, area, number, low);
                     facing.lowest = std::min(facing.lowest, facing.sign * (static_cast<float>(plane) + low[axis]));
                 });

@@ -22,8 +22,12 @@ struct VoxelGrid {
     }
 };
 
+/// Merged faces of all grids of a model: a few bytes of a file may become a hundred times as many.
+inline constexpr std::size_t most_voxel_faces = std::size_t{1} << 22;
+
 /// The faces between full and empty cells, equal neighbours merged greedily. A cell is one metre wide, cell (0, 0, 0) begins at `low`;
-/// Vertex.material is the cell's number less one.
-MeshData voxel_mesh(const VoxelGrid& grid, vec3 low);
+/// Vertex.material is the cell's number less one. Takes the faces off what is left of `most_voxel_faces`; throws Error where that is
+/// not enough.
+MeshData voxel_mesh(const VoxelGrid& grid, vec3 low, std::size_t& faces_left);
 
 }  // namespace sl

@@ -14,14 +14,24 @@ namespace {
 
 void move_vertices(World& world, const ModelParts& parts, const ModelPose& pose) {
     const Model& model = *parts.model;
+    if (parts.posed.empty()) return;
     auto& pool = world.resource<MeshPool>();
+    const std::vector<mat4> places = places_of(model, pose);
+    // Many nodes may hang on one skin.
+    std::vector<std::optional<std::vector<mat4>>> skins(model.skins.size());
+    const std::vector<mat4> none;
+    const auto joints_of = [&](std::int32_t skin) -> const std::vector<mat4>& {
+        if (skin < 0) return none;
+        auto& joints = skins[static_cast<std::size_t>(skin)];
+        if (!joints) joints = joint_matrices(model.skins[static_cast<std::size_t>(skin)], places);
+        return *joints;
+    };
     for (const ModelParts::Posed& posed : parts.posed) {
         const ModelNode& node = model.nodes[posed.node];
         const ModelPrimitive& primitive = model.meshes[static_cast<std::size_t>(node.mesh)].primitives[posed.primitive];
-        const std::vector<mat4> joints = node.skin >= 0 ? joint_matrices(model, model.skins[static_cast<std::size_t>(node.skin)], pose) : std::vector<mat4>{};
         MeshData* mesh = pool.find(world.get<ModelPart>(posed.entity).own_mesh);
         if (mesh == nullptr) continue;
-        deform(primitive, primitive.mesh, pose.weights[posed.node], joints, *mesh);
+        deform(primitive, primitive.mesh, pose.weights[posed.node], joints_of(node.skin), *mesh);
         ++mesh->version;
     }
 }

@@ -2,7 +2,7 @@
 #include "engine/ecs/systems/load_models.h"
 
 #include <algorithm>
-#include <utility>
+#include <set>
 
 #include "engine/core/error.h"
 #include "engine/core/log.h"
@@ -16,15 +16,6 @@ namespace sl {
 
 namespace {
 
-Material material_of(const ModelMaterial& from) {
-    const float emission = std::max({from.emission.x, from.emission.y, from.emission.z});
-    return {.base_colour = from.base_colour, .metallic = from.metallic, .roughness = from.roughness, .specular = from.specular,
-            .emission_colour = emission > 0.0f ? from.emission / emission : vec3(1.0f), .emission = emission};
-}
-
-/// glTF's material of primitives without one.
-ModelMaterial plain_material() { return {}; }
-
 void add_light(World& world, Entity entity, const ModelLight& light) {
     switch (light.kind) {
         case ModelLight::Kind::directional:
@@ -37,6 +28,32 @@ void add_light(World& world, Entity entity, const ModelLight& light) {
             world.add(entity, SpotLight{.colour = light.colour, .intensity = light.intensity, .range = light.range, .inner_cone = light.inner_cone, .outer_cone = light.outer_cone});
             break;
     }
+}
+
+ModelCost cost_of(const Model& model) {
+    std::vector<ModelCost> meshes;
+    for (const ModelMesh& mesh : model.meshes) {
+        ModelCost& cost = meshes.emplace_back();
+        for (const ModelPrimitive& primitive : mesh.primitives) {
+            ++cost.parts;
+            cost.triangles += primitive.mesh.indices.size() / 3;
+            if (deforms(primitive)) cost.posed_bytes += primitive.mesh.vertices.size() * sizeof(Vertex) + primitive.mesh.pictured.size() * sizeof(PicturedVertex) + primitive.mesh.indices.size() * sizeof(std::uint32_t);
+        }
+    }
+    ModelCost all{.parts = model.nodes.size()};
+    for (const ModelNode& node : model.nodes) {
+        if (node.mesh >= 0) all = all + meshes[static_cast<std::size_t>(node.mesh)];
+    }
+    return all;
+}
+
+/// Why that is too much; empty: it is not.
+std::string too_much(const ModelCost& cost) {
+    const ModelCost& most = most_model_cost;
+    if (cost.parts > most.parts) return fmt::format("{} entities; {} is the limit", cost.parts, most.parts);
+    if (cost.triangles > most.triangles) return fmt::format("{} million triangles; {} million is the limit", cost.triangles / 1'000'000, most.triangles / 1'000'000);
+    if (cost.posed_bytes > most.posed_bytes) return fmt::format("{} MB of meshes that move; {} MB is the limit", cost.posed_bytes >> 20, most.posed_bytes >> 20);
+    return {};
 }
 
 }  // namespace
@@ -61,6 +78,7 @@ std::vector<std::string> ModelLibrary::faults() const {
     for (const auto& [path, loaded] : files_) {
         if (!loaded.fault.empty()) all.push_back(loaded.fault);
     }
+    if (!too_much_.empty()) all.push_back(too_much_);
     return all;
 }
 
@@ -80,8 +98,10 @@ class ModelLoader {
             const auto* parts = world_.find<ModelParts>(entity);
             if (parts == nullptr || !parts->made || !shows_the_same(parts->made_by, file)) wanted.emplace_back(entity, file);
         }
+        library_.too_much_.clear();
+        if (!wanted.empty()) count_shown();
         for (const auto& [entity, file] : wanted) show(entity, file);
-        forget_faults(wanted);
+        forget_all_but(wanted);
     }
 
   private:
@@ -89,12 +109,41 @@ class ModelLoader {
 
     static bool shows_the_same(const ModelFile& a, const ModelFile& b) { return a.file == b.file && a.scene == b.scene; }
 
-    /// Of files that nobody asks for any more, as those whose name was still being typed.
-    void forget_faults(std::span<const std::pair<Entity, ModelFile>> wanted) {
-        std::erase_if(library_.files_, [&](const auto& entry) {
-            const auto asks = [&](const auto& one) { return model_path(world_, one.second) == entry.first; };
-            return !entry.second.fault.empty() && std::ranges::none_of(wanted, asks);
-        });
+    void count_shown() {
+        std::map<const Model*, ModelCost> costs;
+        for (const auto& [path, loaded] : library_.files_) costs[loaded.model.get()] = loaded.cost;
+        for (auto [entity, parts] : Query<const ModelParts>(world_)) {
+            if (parts.made) shown_ = shown_ + costs.at(parts.model.get());
+        }
+    }
+
+    /// Files that are neither shown nor wanted: models that are gone, and those whose name was still being typed.
+    void forget_all_but(std::span<const std::pair<Entity, ModelFile>> wanted) {
+        std::set<std::filesystem::path> asked;
+        for (const auto& [entity, file] : wanted) asked.insert(model_path(world_, file));
+        for (auto entry = library_.files_.begin(); entry != library_.files_.end();) {
+            Loaded& loaded = entry->second;
+            // Whatever shows a model holds it.
+            const bool is_used = asked.contains(entry->first) || loaded.model.use_count() > 1;
+            if (!is_used) loaded.progress->unwanted = true;
+            if (is_used || is_being_read(loaded)) {
+                ++entry;
+                continue;
+            }
+            give_back(loaded);
+            entry = library_.files_.erase(entry);
+        }
+    }
+
+    static bool is_being_read(const Loaded& loaded) { return loaded.coming.valid() && loaded.coming.wait_for(std::chrono::seconds(0)) != std::future_status::ready; }
+
+    void give_back(Loaded& loaded) {
+        if (!loaded.model) return;
+        std::vector<StoredModel*> others;
+        for (auto& [path, other] : library_.files_) {
+            if (&other != &loaded && other.model) others.push_back(&other.stored);
+        }
+        remove_model(world_, loaded.stored, others);
     }
 
     void show(Entity entity, const ModelFile& file) {
@@ -104,6 +153,12 @@ class ModelLoader {
         Loaded& loaded = loaded_file(model_path(world_, file));
         if (!loaded.fault.empty() && library_.at_once) fail("{}", loaded.fault);
         if (!loaded.model) return;
+        if (const std::string why = too_much(shown_ + loaded.cost); !why.empty()) {
+            library_.too_much_ = fmt::format("{}: it is not shown, because all models together would have {}", file.file, why);
+            if (library_.at_once) fail("{}", library_.too_much_);
+            return;
+        }
+        shown_ = shown_ + loaded.cost;
         // Adding components moves others, so this one is put in place when all are there.
         ModelParts parts = made_parts(entity, file, loaded);
         world_.get<ModelParts>(entity) = std::move(parts);
@@ -114,7 +169,10 @@ class ModelLoader {
         const auto written = std::filesystem::last_write_time(path, missing);
         const auto [entry, fresh] = library_.files_.try_emplace(path);
         Loaded& loaded = entry->second;
-        if (fresh || (!loaded.fault.empty() && loaded.written != written)) {
+        // What nobody wanted for a moment has been read in part.
+        const bool is_cut_short = loaded.progress->unwanted;
+        if (is_cut_short && is_being_read(loaded) && !library_.at_once) return loaded;
+        if (fresh || is_cut_short || (!loaded.fault.empty() && loaded.written != written)) {
             loaded = {.since = std::chrono::steady_clock::now(), .written = written};
             loaded.coming = std::async(std::launch::async, [path, reading = library_.reading, progress = loaded.progress] {
                 ModelLibrary::Read read{.model = read_model(path, reading), .pictures = {}};
@@ -129,33 +187,13 @@ class ModelLoader {
             for (const auto* warnings : {&read.model.warnings, &read.pictures.warnings}) {
                 for (const std::string& warning : *warnings) log::warn("{}: {}", path.string(), warning);
             }
-            take_in(loaded, read.model, read.pictures);
+            loaded.cost = cost_of(read.model);
+            loaded.stored = store_model(world_, read.model, read.pictures);
             loaded.model = std::make_shared<const Model>(std::move(read.model));
         } catch (const std::exception& error) {
             loaded.fault = error.what();
         }
         return loaded;
-    }
-
-    /// Meshes and materials into the world's.
-    void take_in(Loaded& loaded, Model& model, const ModelPictures& pictures) {
-        auto& table = world_.find_resource<MaterialTable>() != nullptr ? world_.resource<MaterialTable>() : world_.emplace_resource<MaterialTable>();
-        loaded.first_material = static_cast<std::int32_t>(table.entries.size());
-        auto& layers = world_.find_resource<PictureTable>() != nullptr ? world_.resource<PictureTable>() : world_.emplace_resource<PictureTable>();
-        const auto [first_colour, first_data] = add_pictures(layers, pictures);
-        for (std::size_t i = 0; i < model.materials.size(); ++i) {
-            auto params = pictures.materials[i];
-            if (params) params->layers += uvec4(params->layers.x == no_texture ? 0 : first_colour, params->layers.y == no_texture ? 0 : first_colour, params->layers.z == no_texture ? 0 : first_data, params->layers.w == no_texture ? 0 : first_data);
-            table.entries.push_back({.material = material_of(model.materials[i]), .texture_layer = -1, .pictures = params, .unlit = model.materials[i].unlit});
-        }
-        table.entries.push_back({material_of(plain_material()), -1});
-        ++table.version;
-        auto& pool = world_.resource<MeshPool>();
-        for (ModelMesh& mesh : model.meshes) {
-            auto& handles = loaded.meshes.emplace_back();
-            // Each that is moved is a copy of what stays here.
-            for (ModelPrimitive& primitive : mesh.primitives) handles.push_back(deforms(primitive) ? MeshHandle{} : pool.insert(std::exchange(primitive.mesh, {})));
-        }
     }
 
     ModelParts made_parts(Entity root, const ModelFile& file, const Loaded& loaded) {
@@ -187,10 +225,10 @@ class ModelLoader {
             const auto plain = static_cast<std::int32_t>(loaded.model->materials.size());
             const std::int32_t material = primitives[i].material >= 0 ? primitives[i].material : plain;
             const bool own = deforms(primitives[i]);
-            const MeshHandle handle = own ? world_.resource<MeshPool>().insert(primitives[i].mesh) : loaded.meshes[mesh][i];
+            const MeshHandle handle = own ? world_.resource<MeshPool>().insert(primitives[i].mesh) : loaded.stored.meshes[mesh][i];
             // A skin says where its mesh is, whatever its node does.
             const bool skinned = node.skin >= 0 && !primitives[i].joints.empty();
-            const Entity entity = world_.create(Transform{}, Parent{skinned ? root : parts.nodes[number]}, MeshInstance{.mesh = handle, .first_material = loaded.first_material + material},
+            const Entity entity = world_.create(Transform{}, Parent{skinned ? root : parts.nodes[number]}, MeshInstance{.mesh = handle, .first_material = loaded.stored.first_material + material},
                                                 ModelPart{root, own ? handle : MeshHandle{}});
             if (own) parts.posed.push_back({entity, number, i});
         }
@@ -227,6 +265,7 @@ class ModelLoader {
 
     World& world_;
     ModelLibrary& library_;
+    ModelCost shown_;  ///< by all models so far
 };
 
 void load_models(World& world) { ModelLoader(world).run(); }

@@ -9,8 +9,7 @@
 
 #include "engine/core/model/read_model.h"
 #include "engine/ecs/components/model_file.h"
-#include "engine/ecs/systems/model_pictures.h"
-#include "engine/ecs/world.h"
+#include "engine/ecs/systems/stored_model.h"
 
 namespace sl {
 
@@ -21,8 +20,18 @@ struct ModelBeingRead {
     double seconds = 0.0;                   ///< since it began
 };
 
-/// The model files that entities show, each loaded once; a resource. Files are read on a thread of their own. One that could
-/// not be read is tried again once it has changed.
+/// What showing a model once takes of what all models of a world may take together: a short scene may show a large one many times.
+struct ModelCost {
+    std::uint64_t parts = 0;        ///< entities
+    std::uint64_t triangles = 0;    ///< that are drawn
+    std::uint64_t posed_bytes = 0;  ///< of meshes that joints or morphs move, which each entity has for itself
+
+    ModelCost operator+(const ModelCost& other) const { return {parts + other.parts, triangles + other.triangles, posed_bytes + other.posed_bytes}; }
+};
+inline constexpr ModelCost most_model_cost{.parts = 1u << 19, .triangles = 1u << 28, .posed_bytes = 1u << 30};
+
+/// The model files that entities show, each loaded once and kept as long as one shows it; a resource. Files are read on a thread
+/// of their own. One that could not be read is tried again once it has changed.
 class ModelLibrary {
   public:
     ModelLibrary() = default;
@@ -51,16 +60,17 @@ class ModelLibrary {
         std::future<Read> coming;
         std::shared_ptr<const Model> model;
         std::string fault;  ///< why there is none
-        std::vector<std::vector<MeshHandle>> meshes;  ///< per mesh, per primitive
-        std::int32_t first_material = 0;              ///< in the MaterialTable; one more than the file has, the plain one last
+        StoredModel stored;
+        ModelCost cost;
     };
     std::map<std::filesystem::path, Loaded> files_;
+    std::string too_much_;  ///< why a model that is there is not shown
 };
 
 /// The entities that show a model, made by load_models below the one that has its ModelFile.
 struct ModelParts {
     ModelFile made_by;
-    bool made = false;  ///< false while its file is being read, or where it cannot be
+    bool made = false;  ///< false while its file is being read, or where it cannot be, or is too much
     std::shared_ptr<const Model> model{};
     std::vector<Entity> nodes{};  ///< by the model's number; null for those of other scenes
     /// A mesh that joints or morphs move, which is therefore this entity's own.

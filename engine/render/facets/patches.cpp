@@ -4,6 +4,7 @@
 #include <glm/gtc/packing.hpp>
 
 #include "engine/render/facets/facet_corner.h"
+#include "engine/render/trace/mean_albedo.h"
 #include "engine/render/trace/samples.h"
 
 namespace sl {
@@ -21,20 +22,13 @@ constexpr float alike = 0.5f;  ///< cosine of what is
 
 }  // namespace
 
-vec3 Patches::albedo_of(const Surface& surface) {
-    const float metallic = surface.normal.w;
-    const vec3 base(surface.base_colour);
-    const vec3 coat = base * metallic + vec3(0.04f * surface.specular.x) * (1.0f - metallic);
-    return base * (1.0f - metallic) * (1.0f - 0.04f * surface.specular.x) + coat;
-}
-
 Patches::Sample::Sample(const SurfacePoint& point)
     : position(point.position),
       glow(luminance(pi * point.emission)),
       error_(point.error),
       face_(pack_normal(point.face)),
       normal_(pack_normal(point.normal())),
-      albedo_(glm::packF3x9_E1x5(albedo_of(point.surface))) {}
+      albedo_(glm::packF3x9_E1x5(mean_albedo(point.surface))) {}
 
 SurfacePoint Patches::Sample::place() const {
     return {.position = position, .face = unpack_normal(face_), .surface = {.normal = vec4(unpack_normal(normal_), 0.0f)}, .emission = vec3(0.0f), .error = error_};

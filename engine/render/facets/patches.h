@@ -226,8 +226,6 @@ class Patches {
     std::uint32_t place_for_one_more();
     bool belongs(const SurfacePoint& point, const Patch& patch) const;
     void spread_samples(Patch& patch, std::uint32_t strata) const;
-    /// What a surface gives back diffusely, its specular lobe spread over all directions.
-    static vec3 albedo_of(const Surface& surface);
     /// What rays from a light have found on a patch.
     struct Narrow {
         vec3 flux{0.0f};   ///< that it reflects, lumen

@@ -4,6 +4,7 @@
 
 #include "engine/render/facets/patches.h"
 #include "engine/render/trace/directions.h"
+#include "engine/render/trace/mean_albedo.h"
 #include "engine/render/trace/samples.h"
 
 namespace sl {
@@ -51,7 +52,7 @@ Patches::Narrow Patches::light_narrowly(std::uint32_t number, const Patch& patch
         const SurfacePoint point = world_.scene.surface_at(*hit);
         if (facet_name(facet_cell(point.position, point.normal(), patch.level)) != patch.cell || !belongs(point, patch)) continue;
         const float falloff = light.kind.x == light_spot ? cone_falloff(light.cone, vec3(light.direction), direction) : 1.0f;
-        const vec3 reflected = albedo_of(point.surface) * flux * (falloff * range_window(hit->distance * hit->distance, light.position.w));
+        const vec3 reflected = mean_albedo(point.surface) * flux * (falloff * range_window(hit->distance * hit->distance, light.position.w));
         result.flux += reflected;
         result.place += luminance(reflected) * point.position;
     }

@@ -155,6 +155,23 @@ void extract_waters(World& world, RenderScene& scene) {
     }
 }
 
+/// Lights of a kind share an array of maps, as large as the largest asks for. A file may have thousands of lights: those whose maps
+/// would take more than half a gigabyte, or more layers than OpenGL promises, get none.
+void bound_maps(RenderScene& scene, RenderScene::Light::Kind kind, std::uint64_t most_lights) {
+    constexpr std::uint64_t most_texels = std::uint64_t{1} << 27;
+    std::uint64_t lights = 0, side = 0;
+    for (RenderScene::Light& light : scene.lights) {
+        if (light.kind != kind || (!light.casts_shadow && !light.bounces)) continue;
+        const std::uint64_t largest = std::max<std::uint64_t>(side, light.shadow_size);
+        if (lights == most_lights || (lights + 1) * largest * largest > most_texels) {
+            light.casts_shadow = light.bounces = false;
+        } else {
+            side = largest;
+            ++lights;
+        }
+    }
+}
+
 void extract_lights(World& world, RenderScene& scene) {
     using Light = RenderScene::Light;
     scene.lights.clear();
@@ -178,6 +195,9 @@ void extract_lights(World& world, RenderScene& scene) {
         scene.lights.push_back({.kind = Light::Kind::point, .position = relative(transform, scene.origin),
                                 .intensity = light.colour * light.intensity, .range = light.range, .entity = entity});
     }
+    // A sun's map may have 64 layers.
+    bound_maps(scene, Light::Kind::directional, 32);
+    bound_maps(scene, Light::Kind::spot, 2048);
     scene.sky_radiance = vec3(0.0f);
     scene.extinction = 0.0f;
     for (auto [entity, sky] : Query<const SkyLight>(world)) {
