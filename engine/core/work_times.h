@@ -12,6 +12,7 @@ namespace sl {
 /// What a frame's processor time went into, part after part.
 class WorkTimes {
   public:
+    /// One of them.
     struct Part {
         std::string_view name;  ///< a literal
         double milliseconds = 0.0;
