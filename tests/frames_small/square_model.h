@@ -33,7 +33,7 @@ class SquareModelTest : public ModelTest {
         json["textures"].push_back({{"source", json["images"].size() - 1}, {"sampler", 0}});
     }
     void show_square(Json material, const Json& node = Json::object()) {
-        json["materials"] = {material};
+        json["materials"] = Json::array({material});
         show(square({{"material", 0}}));
         json["nodes"].back().update(node);
     }
