@@ -36,7 +36,7 @@ void print_part(const std::string& name, std::vector<double> frames, const World
     std::fflush(stdout);
 }
 
-/// What one frame did, by name: its systems, its passes, and the rest of it.
+/// What one frame did, by name: its systems, its passes, and the rest of it, of which the parts of renderer and facets tell more.
 std::map<std::string, double> parts_of(BenchWindow& window, double milliseconds) {
     std::map<std::string, double> parts;
     double known = 0.0;
