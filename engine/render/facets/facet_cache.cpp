@@ -55,7 +55,7 @@ float FacetCache::update(const RenderScene& scene, const FrameParams& frame, con
         work(settings, deadline);
         split_where_needed();
         times_.done("split");
-    } while (budget.seconds <= 0.0 && share_known() < 1.0f);
+    } while (budget.seconds <= 0.0 && (share_known() < 1.0f || look_again_));
     // After a change of surfaces the old light stays until each place has some of the new: a picture that is late by some
     // frames, and not one that falls dark.
     if (renewing_ && !unfinished_.empty() && corners_[unfinished_.front()].at.by_chance.empty()) return share_known();

@@ -59,6 +59,7 @@ class FacetCache {
         bool lit = false;   ///< it was gathered at least once
         bool done = false;
         bool gone = false;  ///< nobody has it, and its place may be taken
+        bool to_stay = false;          ///< a facet that has it shows it for good
         bool stands_in = false;        ///< first of those without light
         std::uint32_t users = 0;       ///< facets that have it
         FacetName shared_as = 0;       ///< its name in shared_corners_; 0: none
@@ -135,9 +136,18 @@ class FacetCache {
     /// Along rays that pass through one of the boxes, or all where there are none. Returns the share of squares in which a ray
     /// met what was not known.
     float look(const FrameParams& frame, const Facets& settings, const Look& what, const std::vector<Bounds>& where = {});
-    /// `root` 0: it is one itself.
-    void add(const SurfacePoint& point, float level, FacetName root = 0, std::uint32_t depth = 0, bool stand_in = false);
-    std::uint32_t corner_of(Facet& facet, FacetName name, vec2 within, uvec2 lattice);
+    /// A facet where a point lies.
+    struct Wanted {
+        SurfacePoint point;
+        float level = 0.0f;
+        FacetName root = 0;  ///< 0: it is one itself
+        std::uint32_t depth = 0;
+        bool stand_in = false;
+    };
+    /// The next finer one that is not there yet, of those that what the camera sees of a cut facet asks for.
+    std::optional<Wanted> finer_at(const SurfacePoint& point, float level) const;
+    void add(std::span<const Wanted> wanted);
+    void ask_for_finer(FacetName name, Facet& facet);
     std::uint32_t add_corner(const FacetCorner& corner, float level, float group_level);
     std::uint32_t group_at(FacetName cell);
     void release(std::uint32_t corner);
@@ -207,6 +217,7 @@ class FacetCache {
     float error_ = 0.0f;
     bool table_is_old_ = false;
     std::uint64_t version_ = 0;
+    bool look_again_ = false;      ///< what is seen of some facets asks for finer ones
     std::uint32_t looks_ = 0;      ///< since the camera or the scene changed
     std::uint32_t all_looks_ = 0;  ///< ever
     std::uint32_t view_began_ = 0;  ///< the last of all looks before the camera came to where it is

@@ -243,7 +243,7 @@ std::vector<Bounds> FacetCache::forget_facets(const std::vector<Bounds>& boxes) 
         const bool lost = box.contains(facet.middle.position) || std::ranges::any_of(facet.corners, [&](std::uint32_t corner) { return box.contains(corners_[corner].at.point.position); });
         // Much larger ones have their corners where they had them, and finer ones are asked for where those differ.
         if (!lost && side > 2.0f * box.radius()) {
-            facet.split = false;
+            facet.split = facet.cut && facet.split;
             return false;
         }
         empty.add(centre - 0.75f * side);

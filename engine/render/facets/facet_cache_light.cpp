@@ -270,7 +270,7 @@ void FacetCache::decide(std::uint32_t corner, const Facets& settings) {
     const std::size_t links = it.at.by_chance.size();
     const float spread = std::max(it.spread, word_of_neighbours * group.spread / static_cast<float>(group.judged));
     const bool dark = !(luminance(it.at.irradiance) > 0.0f);
-    it.done = it.done || (links >= (dark ? least_links_in_the_dark : least_links) && (spread <= settings.noise * settings.noise * static_cast<float>(links) || links >= most_links(settings)));
+    it.done = it.done || (links >= (dark ? least_links_in_the_dark : least_links) && (!it.to_stay || spread <= settings.noise * settings.noise * static_cast<float>(links) || links >= most_links(settings)));
 }
 
 }  // namespace sl

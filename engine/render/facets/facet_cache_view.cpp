@@ -62,6 +62,12 @@ std::vector<vec2> steps_across_a_quarter(const SurfacePoint& point) {
     return steps;
 }
 
+/// The name under which facets that meet at a corner share it.
+FacetName corner_name(FacetName facet, uvec2 lattice) {
+    const std::uint32_t u = (static_cast<std::uint32_t>(facet) + lattice.x) & 0xffffu, v = ((static_cast<std::uint32_t>(facet) >> 16) + lattice.y) & 0xffffu;
+    return (facet & ~FacetName{0xffffffffu}) | (v << 16) | u;
+}
+
 /// Numbers of the squares of a look, `count` in rows; `side` pixels wide, and `margin` of them beyond the picture's edge.
 struct Squares {
     uvec2 count;
@@ -114,6 +120,10 @@ float FacetCache::look_around(const FrameParams& frame, const Facets& settings, 
     // A camera that moves meets little that is new, and looks again in the next frame; unless it is somewhere else altogether.
     const std::uint32_t all = all_looks(settings);
     std::uint32_t most = looks_ == 0 ? 1 : looks_at_once;
+    if (std::exchange(look_again_, false)) {
+        looks_ = deadline.none() ? 0 : std::min(looks_, 1u);
+        if (deadline.none()) most = all;
+    }
     // The few rays of a small picture may all miss what is there, and tell nothing of whether more would meet it.
     const vec2 squares = glm::ceil(vec2(frame.ray_right.w, frame.ray_up.w) / std::max(settings.spacing, 1.0f));
     // Nor do those that meet facets of another width.
@@ -143,8 +153,8 @@ float FacetCache::look(const FrameParams& frame, const Facets& settings, const L
     const vec2 within = place_of_look(what.number, looks_per_side(settings));
     struct Seen {
         SurfacePoint point;
-        std::array<float, 3> levels;
-        float stand_in;
+        float level, near, far, coarse;
+        bool root;  ///< one of its first facets is not known
     };
     const Squares squares{.count = count, .side = spacing, .margin = static_cast<float>(what.margin)};
     const std::vector<std::uint32_t> looked_at = where.empty() ? squares.all() : squares.of(where, frame);
@@ -167,69 +177,126 @@ float FacetCache::look(const FrameParams& frame, const Facets& settings, const L
         // Seen from the side, facets are narrower than pixels, and few of them are met: larger ones stand in for the others.
         const float slant = std::abs(glm::dot(offset, point.face)) / distance;
         const float coarse = far + std::clamp(std::ceil(std::log2(steep / std::max(slant, 1e-3f))), 0.0f, coarser_that_are_searched);
+        bool known = true;
         for (const float level : {near, far, coarse}) {
-            const auto known = facets_.find(facet_name(facet_cell(point.position, point.normal(), level)));
+            const auto facet = facets_.find(facet_name(facet_cell(point.position, point.normal(), level)));
             // Other rays of this look may meet it as well, and say the same.
-            if (known != facets_.end()) {
-                std::atomic_ref(known->second.seen).store(all_looks_, std::memory_order_relaxed);
-                std::atomic_ref(groups_[corners_[known->second.corners[0]].group].seen).store(all_looks_, std::memory_order_relaxed);
+            if (facet != facets_.end()) {
+                std::atomic_ref(facet->second.seen).store(all_looks_, std::memory_order_relaxed);
+                std::atomic_ref(groups_[corners_[facet->second.corners[0]].group].seen).store(all_looks_, std::memory_order_relaxed);
             }
-            if (known == facets_.end() || known->second.stand_in) unknown[number] = Seen{point, {near, far, coarse}, near + stand_in_coarser};
+            known &= facet != facets_.end() && !facet->second.stand_in;
         }
+        const float level = facet_level(distance, side);
+        if (!known || finer_at(point, level)) unknown[number] = Seen{point, level, near, far, coarse, !known};
     });
     const auto known = static_cast<std::ptrdiff_t>(unfinished_.size());
     std::size_t fresh = 0;
+    std::vector<Wanted> wanted;
     for (const auto& seen : unknown) {
-        if (!seen) continue;
+        if (!seen || !seen->root) continue;
         ++fresh;
-        for (const float level : seen->levels) add(seen->point, level);
-        add(seen->point, seen->stand_in, 0, 0, true);
+        for (const float level : {seen->near, seen->far, seen->coarse}) wanted.push_back({.point = seen->point, .level = level});
+        wanted.push_back({.point = seen->point, .level = seen->near + stand_in_coarser, .stand_in = true});
+    }
+    add(wanted);
+    // Down to the finest, each of which is asked for by the one before it.
+    while (!unknown.empty()) {
+        wanted.clear();
+        std::erase_if(unknown, [&](const auto& seen) {
+            const auto finer = seen ? finer_at(seen->point, seen->level) : std::nullopt;
+            if (finer) wanted.push_back(*finer);
+            return !finer;
+        });
+        add(wanted);
     }
     // All over the picture rather than from its top down: where the time of a frame ends, there is some light everywhere.
     std::sort(unfinished_.begin() + known, unfinished_.end(), [](std::uint32_t a, std::uint32_t b) { return a * 0x9e3779b1u < b * 0x9e3779b1u; });
     return static_cast<float>(fresh) / static_cast<float>(squares.count.x * squares.count.y);
 }
 
-void FacetCache::add(const SurfacePoint& point, float level, FacetName root, std::uint32_t depth, bool stand_in) {
-    const FacetCell cell = facet_cell(point.position, point.normal(), level);
-    const FacetName name = facet_name(cell);
-    const auto [entry, fresh] = facets_.try_emplace(name);
-    Facet& facet = entry->second;
-    if (!fresh) {
-        if (!stand_in && std::exchange(facet.stand_in, false)) {
-            unsplit_.push_back(name);
-            table_is_old_ = shown_are_old_ = true;
+std::optional<FacetCache::Wanted> FacetCache::finer_at(const SurfacePoint& point, float level) const {
+    for (std::uint32_t depth = 0;; ++depth) {
+        const FacetName name = facet_name(facet_cell(point.position, point.normal(), level - static_cast<float>(depth)));
+        const auto known = facets_.find(name);
+        if (known == facets_.end()) {
+            if (depth == 0) return std::nullopt;
+            return Wanted{.point = point, .level = level - static_cast<float>(depth), .root = facet_name(facet_cell(point.position, point.normal(), level)), .depth = depth};
         }
-        return;
+        const Facet& facet = known->second;
+        if (facet.stand_in || !facet.cut || !facet.split || depth >= facet_most_splits) return std::nullopt;
     }
-    facet.middle = point;
-    facet.level = level;
-    facet.depth = depth;
-    facet.stand_in = stand_in;
-    facet.root = root != 0 ? root : name;
-    facet.seen = all_looks_;
-    for (std::uint32_t corner = 0; corner < 4; ++corner) {
-        facet.corners[corner] = corner_of(facet, name, vec2(cell.within), uvec2(corner & 1, corner >> 1));
-        ++corners_[facet.corners[corner]].users;
+}
+
+void FacetCache::add(std::span<const Wanted> wanted) {
+    struct Fresh {
+        FacetName name;
+        Facet* facet;
+        std::array<std::optional<FacetCorner>, 4> corners;
+    };
+    std::vector<Fresh> fresh;
+    for (const Wanted& it : wanted) {
+        const FacetName name = facet_name(facet_cell(it.point.position, it.point.normal(), it.level));
+        const auto [entry, is_fresh] = facets_.try_emplace(name);
+        Facet& facet = entry->second;
+        if (is_fresh) {
+            facet = {.middle = it.point, .level = it.level, .depth = it.depth, .stand_in = it.stand_in, .root = it.root != 0 ? it.root : name, .seen = all_looks_};
+            fresh.push_back({name, &facet, {}});
+        } else if (!it.stand_in && std::exchange(facet.stand_in, false)) {
+            ask_for_finer(name, facet);
+        }
     }
-    if (!stand_in) unsplit_.push_back(name);
+    if (fresh.empty()) return;
+    tbb::parallel_for(std::size_t{0}, fresh.size(), [&](std::size_t i) {
+        const auto& [name, facet, corners] = fresh[i];
+        const vec2 within(facet_cell(facet->middle.position, facet->middle.normal(), facet->level).within);
+        for (std::uint32_t corner = 0; corner < 4; ++corner) {
+            const uvec2 lattice(corner & 1, corner >> 1);
+            if (shared_corners_.contains(corner_name(name, lattice))) continue;
+            fresh[i].corners[corner] = facet_corner(world_->scene, facet->middle, facet->level, within, vec2(lattice));
+            facet->cut |= fresh[i].corners[corner]->cut;
+        }
+    });
+    for (const auto& [name, facet, corners] : fresh) {
+        const float depth = static_cast<float>(facet->depth), group = facet->level + group_level + (facet->stand_in ? -stand_in_coarser : depth);
+        // Corners of fine facets are so many that patches as fine as they are would take most of the time.
+        const float finest_patch = facet->level - (facet->depth > 0 ? 0.0f : 1.0f);
+        if (facet->cut && facet->depth > 0) {
+            // A good square is no more to be had, and one place must do.
+            facet->corners.fill(add_corner({.point = facet->middle}, finest_patch, group));
+        } else {
+            for (std::uint32_t corner = 0; corner < 4; ++corner) {
+                const FacetName shared_name = corner_name(name, uvec2(corner & 1, corner >> 1));
+                const auto known = shared_corners_.find(shared_name);
+                if (known != shared_corners_.end()) {
+                    facet->corners[corner] = known->second;
+                    continue;
+                }
+                const std::uint32_t id = facet->corners[corner] = add_corner(*corners[corner], finest_patch, group);
+                corners_[id].stands_in = facet->stand_in;
+                if (!corners[corner]->shared) continue;
+                shared_corners_.emplace(shared_name, id);
+                corners_[id].shared_as = shared_name;
+            }
+        }
+        for (const std::uint32_t corner : facet->corners) ++corners_[corner].users;
+        if (!facet->stand_in) ask_for_finer(name, *facet);
+    }
     table_is_old_ = shown_are_old_ = true;
 }
 
-std::uint32_t FacetCache::corner_of(Facet& facet, FacetName name, vec2 within, uvec2 lattice) {
-    // Facets that meet at a corner share it, unless it lies in an edge or at the foot of something.
-    const std::uint32_t u = (static_cast<std::uint32_t>(name) + lattice.x) & 0xffffu, v = ((static_cast<std::uint32_t>(name) >> 16) + lattice.y) & 0xffffu;
-    const FacetName shared_name = (name & ~FacetName{0xffffffffu}) | (v << 16) | u;
-    if (const auto known = shared_corners_.find(shared_name); known != shared_corners_.end()) return known->second;
-    const FacetCorner corner = facet_corner(world_->scene, facet.middle, facet.level, within, vec2(lattice));
-    const std::uint32_t id = add_corner(corner, facet.level - 1.0f, facet.level + group_level + (facet.stand_in ? -stand_in_coarser : static_cast<float>(facet.depth)));
-    corners_[id].stands_in = facet.stand_in;
-    if (corner.shared) {
-        shared_corners_.emplace(shared_name, id);
-        corners_[id].shared_as = shared_name;
+void FacetCache::ask_for_finer(FacetName name, Facet& facet) {
+    if (facet.cut && facet.depth < smooth_splits) {
+        facet.split = true;
+    } else {
+        unsplit_.push_back(name);
+        for (const std::uint32_t number : facet.corners) {
+            Corner& corner = corners_[number];
+            corner.to_stay = true;
+            if (std::exchange(corner.done, false)) unfinished_.push_back(number);
+        }
     }
-    facet.cut |= corner.cut;
-    return id;
+    table_is_old_ = shown_are_old_ = true;
 }
 
 std::uint32_t FacetCache::add_corner(const FacetCorner& corner, float level, float level_of_group) {
@@ -303,10 +370,11 @@ void FacetCache::split_where_needed() {
     std::optional<float> known_mean;
     const auto mean = [&] { return known_mean ? *known_mean : known_mean.emplace(mean_irradiance()); };
     std::vector<FacetName> waiting;
+    std::vector<Wanted> finer;
     for (const FacetName name : std::exchange(unsplit_, {})) {
         Facet& facet = facets_.at(name);
         if (facet.split || facet.depth >= facet_most_splits) continue;
-        const bool fine = facet.depth >= smooth_splits;
+        const bool fine = facet.depth >= smooth_splits, single = facet.cut && facet.depth > 0;
         float low = std::numeric_limits<float>::infinity(), high = 0.0f, sum = 0.0f;
         bool known = true;
         for (const std::uint32_t corner : facet.corners) {
@@ -321,9 +389,13 @@ void FacetCache::split_where_needed() {
             continue;
         }
         // What is finer still must be worth it: many times as bright as what else is seen.
-        if (fine ? (facet.cut ? high : high - low) <= glaring * mean() : !facet.cut && high - low <= smooth_contrast * sum) continue;
+        if (fine ? (facet.cut ? high : high - low) <= glaring * mean() : high - low <= smooth_contrast * sum) continue;
         facet.split = true;
         table_is_old_ = shown_are_old_ = true;
+        if (single) {
+            look_again_ = true;
+            continue;
+        }
         const Facet parent = facet;
         const vec2 within(facet_cell(parent.middle.position, parent.middle.normal(), parent.level).within);
         const std::vector<vec2> steps = steps_across_a_quarter(parent.middle);
@@ -331,11 +403,12 @@ void FacetCache::split_where_needed() {
             const vec2 centre = vec2(0.25f) + 0.5f * vec2(quarter & 1, quarter >> 1) - within;
             for (const vec2 step : steps) {
                 const vec3 target = along_surface(parent.middle, parent.level, centre + step);
-                if (const auto point = surface_near(world_->scene, parent.middle, target, std::exp2(parent.level))) add(*point, parent.level - 1.0f, parent.root, parent.depth + 1);
+                if (const auto point = surface_near(world_->scene, parent.middle, target, std::exp2(parent.level))) finer.push_back({.point = *point, .level = parent.level - 1.0f, .root = parent.root, .depth = parent.depth + 1});
             }
         }
-        add(parent.middle, parent.level - 1.0f, parent.root, parent.depth + 1);
+        finer.push_back({.point = parent.middle, .level = parent.level - 1.0f, .root = parent.root, .depth = parent.depth + 1});
     }
+    add(finer);
     unsplit_.insert(unsplit_.end(), waiting.begin(), waiting.end());
 }
 
