@@ -44,6 +44,7 @@ FrameReport frame_report(Renderer& renderer, const Renderer::Result& frame) {
     report.traced_milliseconds = 1e3 * frame.images.gi_traced_seconds;
     report.triangles_drawn = frame.triangles_drawn;
     report.triangles_culled = frame.triangles_culled;
+    report.lights_without_maps = frame.lights_without_maps;
     report.texture_bytes = renderer.executor().texture_bytes();
     report.mesh_bytes = renderer.gpu_bytes() - report.texture_bytes;
     report.noise = frame.images.gi_error;

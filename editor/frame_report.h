@@ -22,6 +22,7 @@ struct FrameReport {
     std::vector<PassReport> passes;
     std::vector<gl::SpanTime> times;  ///< of the newest frame that is timed, summed by kind of pass
     std::uint64_t triangles_drawn = 0, triangles_culled = 0;
+    std::size_t lights_without_maps = 0;  ///< for which there is no memory
     std::uint64_t mesh_bytes = 0, texture_bytes = 0;
     double traced_milliseconds = 0.0;  ///< of the processor, on light
     std::optional<float> noise;        ///< standard error of indirect light, over its irradiance

@@ -101,6 +101,7 @@ void figures_section(const FrameReport& report) {
     figure("triangles culled", fmt::format("{}", report.triangles_culled));
     figure("buffers of meshes", mebibytes(report.mesh_bytes));
     figure("textures", mebibytes(report.texture_bytes));
+    figure("lights without room for shadows", fmt::format("{}", report.lights_without_maps));
     ImGui::EndTable();
 }
 

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "engine/core/error.h"
+#include "engine/core/log.h"
 #include "engine/render/pass_times.h"
 
 namespace sl {
@@ -57,6 +58,12 @@ Renderer::Result Renderer::render(const RenderScene& given, const Request& reque
     executor_.run(graph_, steps_, request.on_step);
     times_.done("run");
     result.drawn = true;
+    result.lights_without_maps = scene.lights_without_maps();
+    if (result.lights_without_maps > told_without_maps_) {
+        told_without_maps_ = result.lights_without_maps;
+        log::warn("{} of {} lights cast no shadow in the picture: the shadow maps of all would take more than {} MB; lower shadow_size, or switch casts_shadow off where it hardly shows",
+                  told_without_maps_, scene.lights.size(), RenderScene::most_shadow_bytes >> 20);
+    }
     if (result.images.next_suns_are_drawn) suns_.next_is_drawn();
 
     const DrawList drawn = inputs.list_facing(visible_draws(scene, frame.params.clip_from_world), vec4(vec3(frame.params.camera_position), 1.0f));

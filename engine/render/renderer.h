@@ -42,6 +42,7 @@ class Renderer {
         FrameOutput images;
         std::uint64_t triangles_drawn = 0;
         std::uint64_t triangles_culled = 0;
+        std::size_t lights_without_maps = 0;  ///< that ask for shadows or bounces, and for whose maps there is no memory
     };
 
     /// Throws Error when `wanted` names an image that this frame does not have, listing those it has.
@@ -84,6 +85,7 @@ class Renderer {
     FacetLight facets_;
     SunSteps suns_;
     std::vector<PicturePass> passes_;
+    std::size_t told_without_maps_ = 0;
     WorkTimes times_;
 };
 

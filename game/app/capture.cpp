@@ -37,6 +37,7 @@ void print_stats(App& app, Headless& headless, const Capture& captured, const Ca
     fmt::print("{:<28}{}\n", "to open the scene, to draw", fmt::format("{:.2f} s, {:.2f} s", times.opening, times.drawing));
     fmt::print("{:<28}{}\n", "triangles drawn, culled",
                fmt::format("{}, {}", captured.result.triangles_drawn, captured.result.triangles_culled));
+    fmt::print("{:<28}{}\n", "lights short of map memory", captured.result.lights_without_maps);
     fmt::print("{:<28}{}\n", "voxel chunks, blocks", fmt::format("{}, {}", voxels.chunks, voxels.total.blocks));
     fmt::print("{:<28}{}\n", "as naive cubes, faces", voxels.total.naive_faces);
     fmt::print("{:<28}{}\n", "visible faces, merged quads", fmt::format("{}, {}", voxels.total.visible_faces, voxels.total.quads));

@@ -77,7 +77,7 @@ void add_lamps(World& world, std::uint32_t count, bool only_spots) {
             stand.rotation = glm::angleAxis(heading, vec3(0, 1, 0)) * glm::angleAxis(-1.0f, vec3(1, 0, 0));
             world.create(stand, SpotLight{.intensity = 4000.0f, .range = lamp_range, .shadow_size = 128});
         } else {
-            world.create(stand, PointLight{.intensity = 1000.0f, .range = lamp_range});
+            world.create(stand, PointLight{.intensity = 1000.0f, .range = lamp_range, .shadow_size = 128});
         }
         ++added;
     }

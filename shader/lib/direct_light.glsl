@@ -35,8 +35,10 @@ vec3 directly_lit(ivec2 pixel, Point point, vec3 facing) {
                     reflected(surface, incident.to_light.xyz, to_eye) * share_from(incident.to_light.xyz, facing);
     }
     for (uint i = frame.counts.w; i < (there ? frame.counts.x : 0u); ++i) {
-        Incident incident = incident_light(lights[i], point.position);
-        radiance += incident.irradiance.rgb * reflected(surface, incident.to_light.xyz, to_eye) * share_from(incident.to_light.xyz, facing);
+        LightParams light = lights[i];
+        Incident incident = incident_light(light, point.position);
+        radiance += incident.irradiance.rgb * point_visibility(light, incident, point.position, facing) *
+                    reflected(surface, incident.to_light.xyz, to_eye) * share_from(incident.to_light.xyz, facing);
     }
     return there ? radiance : vec3(0.0);
 }

@@ -7,15 +7,16 @@ SHARED_BEGIN
 
 /// One light. Units as in glTF's KHR_lights_punctual: lux for directional, candela for spot and point.
 struct LightParams {
-    mat4 map_clip_from_world;  ///< projection of its shadow map and RSM
+    mat4 map_clip_from_world;  ///< projection of its shadow map and RSM; not of a point light, which has six
     vec4 position;             ///< xyz: m; w: range, m, 0 = without end
-    vec4 direction;            ///< xyz: unit vector in which light travels; w: texel of the shadow map (m for directional, tangent for spot)
+    vec4 direction;            ///< xyz: unit vector in which light travels; w: texel of the shadow map (m for directional, else tangent)
     vec4 intensity;            ///< rgb: lux or candela; w: area (m²) or plane area at distance 1 of the whole map
     vec4 cone;                 ///< x: slope, y: height of the ramp at a spot's edge, over 1 - cos of the angle to the axis; z: share of
                                ///< the flux of all lights that bounce
-    uvec4 kind;                ///< x: light_*; y: shadow layer; z: RSM layer; w: unused
+    uvec4 kind;                ///< x: light_*; y: shadow layer, of a point light the first of six; z: RSM layer; w: unused
     vec4 tiles;                ///< of a directional light's shadow map: x: tiles per side, a layer each; yz: place of the lowest one
-                               ///< in the ring of layers; w: share of a layer's side that is the tile itself, the rest is its neighbours'
+                               ///< in the ring of layers; w: share of a layer's side that is the tile itself, the rest is its neighbours'.
+                               ///< Of a point light's: x: distance of the near plane, m; y: tangent of half a face's angle
 };
 
 /// glTF's smooth edge of a spot's cone: 1 inside the inner, 0 outside the outer half angle. Both vectors are unit. Written
@@ -34,6 +35,21 @@ SHARED_FN float range_window(float distance_squared, float range) {
     if (range <= 0.0f) { return 1.0f; }
     float ratio = distance_squared / (range * range);
     return clamp(1.0f - ratio * ratio, 0.0f, 1.0f);
+}
+
+/// Which of the six faces of a point light's shadow map shows what lies in a direction: twice the axis, x first, and one more
+/// where it points down that axis.
+SHARED_FN uint point_face(vec3 from_light) {
+    vec3 size = abs(from_light);
+    if (size.x >= size.y && size.x >= size.z) { return from_light.x < 0.0f ? 1u : 0u; }
+    if (size.y >= size.z) { return from_light.y < 0.0f ? 3u : 2u; }
+    return from_light.z < 0.0f ? 5u : 4u;
+}
+
+/// A vector as such a face has it: xy across, z along its axis. Every second face shows the world mirrored.
+SHARED_FN vec3 in_point_face(vec3 v, uint face) {
+    vec3 turned = face < 2u ? vec3(v.y, v.z, v.x) : face < 4u ? vec3(v.z, v.x, v.y) : v;
+    return (face & 1u) == 0u ? turned : vec3(turned.x, turned.y, -turned.z);
 }
 
 /// Light arriving at a point: from where, and how much on a surface facing it.

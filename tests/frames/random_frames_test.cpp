@@ -57,6 +57,10 @@ void randomise(App& app, RandomFields& random, bool bounded) {
         visit_fields(random, light);
         light.shadow_size = std::min(light.shadow_size, bounded ? 256u : 2048u);
     }
+    for (auto [entity, light] : Query<PointLight>(app.world)) {
+        visit_fields(random, light);
+        light.shadow_size = std::min(light.shadow_size, bounded ? 128u : 1024u);
+    }
     for (auto [entity, sun] : Query<SunAngles>(app.world)) visit_fields(random, sun);
     for (auto [entity, sky] : Query<SkyLight>(app.world)) visit_fields(random, sky);
     for (auto [entity, material] : Query<Material>(app.world)) visit_fields(random, material);

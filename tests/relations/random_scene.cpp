@@ -33,7 +33,7 @@ Light light_of(const ScenePlan::Lamp& lamp) {
     Light light{.kind = lamp.kind, .position = towards * (lamp.height / towards.y), .direction = -towards, .intensity = lamp.intensity,
                 .inner_cone = 0.5f * lamp.outer_cone, .outer_cone = lamp.outer_cone, .casts_shadow = true, .bounces = true,
                 .shadow_size = 256, .shadow_distance = 100.0f};
-    if (lamp.kind == Light::Kind::point) light.casts_shadow = light.bounces = false;
+    if (lamp.kind == Light::Kind::point) light.bounces = false;
     return light;
 }
 

@@ -112,6 +112,38 @@ TEST_F(ShadowLibrary, SpotIsBlockedBehindWhatTheMapHoldsAndDarkBehindItself) {
     EXPECT_THAT(visibility("spot", spot(no_layer, 0), points, vec3(0, 0, 1)), testing::ElementsAre(1, 1, 1, 1, 0, 0, 0)) << "casts no shadow";
 }
 
+/// At (1, 2, 3), its faces a right angle wide and a texel more on each side.
+LightParams point_light(std::uint32_t layer, float texel) {
+    LightParams light{};
+    light.kind = uvec4(light_point, layer, no_layer, 0);
+    light.position = vec4(1, 2, 3, 0);
+    light.direction = vec4(0, 0, 0, texel);
+    light.intensity = vec4(1);
+    light.tiles = vec4(0.1f, 1.0f + 2.0f / (side - 2), 0, 0);
+    return light;
+}
+
+TEST_F(ShadowLibrary, PointLooksIntoTheFaceOfItsDirection) {
+    // After a layer of another light's: faces that are blocked 1, 2, … 6 m away, so that a point's visibility tells its face.
+    gl::Texture& map = give_image("shadow_point", {.width = side, .height = side, .layers = 7, .format = Format::depth32f}, Sampling::shadow_compare);
+    for (std::uint32_t face = 0; face < 6; ++face) upload(map, std::vector<float>(side * side, 0.1f / static_cast<float>(face + 1)), face + 1);
+    upload(map, std::vector<float>(side * side, 1.0f), 0);
+    const std::vector<vec3> axes{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+    std::vector<vec3> before, behind;
+    for (std::size_t face = 0; face < 6; ++face) {
+        const auto wall = static_cast<float>(face + 1);
+        // Straight on, and as near to the face's corner as floats tell apart.
+        for (const vec3 aside : {vec3(0), 0.999f * (vec3(1) - glm::abs(axes[face])), -0.999f * (vec3(1) - glm::abs(axes[face]))}) {
+            before.push_back(vec3(1, 2, 3) + 0.99f * wall * (axes[face] + aside));
+            behind.push_back(vec3(1, 2, 3) + 1.01f * wall * (axes[face] + aside));
+        }
+    }
+    EXPECT_THAT(visibility("point", point_light(1, 0), before, vec3(0, 1, 0)), testing::Each(1.0f));
+    EXPECT_THAT(visibility("point", point_light(1, 0), behind, vec3(0, 1, 0)), testing::Each(0.0f));
+    EXPECT_THAT(visibility("point", point_light(no_layer, 0), behind, vec3(0, 1, 0)), testing::Each(1.0f)) << "casts no shadow";
+    EXPECT_THAT(visibility("point", point_light(1, 0), {vec3(1, 2, 3)}, vec3(0, 1, 0)), testing::Each(1.0f)) << "in the light itself";
+}
+
 TEST_F(ShadowLibrary, SpotsTexelGrowsWithDistance) {
     give_maps(0.1f / 50.0f);  // a wall 50 m away, and a point 2 m inside it: little beside a texel, 13 m there
     const float texel = 2.0f / side;

@@ -34,11 +34,13 @@ struct SpotLight {
     std::uint32_t shadow_size = 512;
 };
 
-/// Light from a point in all directions, as in glTF's KHR_lights_punctual. Casts no shadow and does not bounce yet.
+/// Light from a point in all directions, as in glTF's KHR_lights_punctual. Has no reflective shadow map.
 struct PointLight {
     vec3 colour{1.0f};
     float intensity = 100.0f;
     float range = 0.0f;
+    bool casts_shadow = true;
+    std::uint32_t shadow_size = 512;
 };
 
 /// The sky: uniform radiance from every direction that nothing blocks. Never an ambient constant: a method that cannot
@@ -112,6 +114,11 @@ inline void visit_fields(FieldVisitor& visit, PointLight& light) {
     visit.field("colour", light.colour, light_colour_info);
     visit.field("intensity", light.intensity, intensity_info);
     visit.field("range", light.range, range_info);
+    visit.field("casts_shadow", light.casts_shadow, casts_shadow_info);
+    visit.field("shadow_size", light.shadow_size,
+                {.min = 16, .max = 4096, .unit = "texels",
+                 .help = "Side of each of the six faces of the shadow map; more sharpens shadow edges and costs memory and, when "
+                         "something moves, time."});
 }
 
 inline void visit_fields(FieldVisitor& visit, SkyLight& sky) {

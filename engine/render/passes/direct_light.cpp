@@ -15,7 +15,8 @@ ImageId direct_light(const FrameInput& frame, const GBuffer& gbuffer, const Shad
         .read("material", gbuffer.material)
         .read("emission", gbuffer.emission)
         .read("shadow_sun", shadows.sun, Sampling::shadow_compare)
-        .read("shadow_spot", shadows.spot, Sampling::shadow_compare);
+        .read("shadow_spot", shadows.spot, Sampling::shadow_compare)
+        .read("shadow_point", shadows.point, Sampling::shadow_compare);
     return pass.create("direct", frame.screen(Format::rgba32f));
 }
 

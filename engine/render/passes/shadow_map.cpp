@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "engine/render/passes/pictured_draws.h"
+#include "engine/render/scene/point_map.h"
 #include "shared/view.h"
 
 namespace sl {
@@ -44,7 +45,7 @@ class Turns {
         }
     }
     Turn of(std::uint32_t layer) const {
-        if (!stale(layer)) return Turn::none;
+        if (!layers_[layer].in_view || !stale(layer)) return Turn::none;
         if (!waiting_ || !layers_[layer].may_wait || std::ranges::find(drawn_, layer) != drawn_.end()) return Turn::whole;
         // What was there is shown until it has its turn, but not somewhere else.
         return elsewhere(layer) ? Turn::empty : Turn::none;
@@ -114,6 +115,12 @@ DrawnArray drawn_array(const FrameInput& frame, const char* name, const std::vec
     return {array, triangles};
 }
 
+std::vector<ShadowLayer> point_layers(const FrameInput& frame) {
+    std::vector<ShadowLayer> layers;
+    for (const std::uint32_t light : frame.lights.point_maps) std::ranges::move(point_faces(frame.scene, frame.scene.lights[light], frame.params), std::back_inserter(layers));
+    return layers;
+}
+
 /// Some more layers of the array that suns are about to move to, up to about so many triangles; returns whether none is left.
 bool draw_next(const FrameInput& frame, const char* name, const std::vector<ShadowLayer>& layers, std::uint64_t most) {
     ImageId array = shadow_array(frame, name, layers);
@@ -138,7 +145,7 @@ constexpr std::array sun_arrays{"shadow_sun", "shadow_sun_other"};
 ShadowMaps shadow_maps(const FrameInput& frame) {
     const LightTable& lights = frame.lights;
     const DrawnArray sun = drawn_array(frame, sun_arrays[lights.sun_array], lights.sun_layers), spot = drawn_array(frame, "shadow_spot", lights.spot_layers);
-    ShadowMaps maps{.sun = sun.image, .spot = spot.image};
+    ShadowMaps maps{.sun = sun.image, .spot = spot.image, .point = drawn_array(frame, "shadow_point", point_layers(frame)).image};
     if (lights.next_sun_layers.empty()) return maps;
     // What is shown goes first, but where that changes in each frame the sun must go on too.
     const bool turn = frame.params.counts.y % frames_of_a_turn == 0;

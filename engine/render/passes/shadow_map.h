@@ -5,11 +5,12 @@
 
 namespace sl {
 
-/// Depth as each light sees it, reversed; a layer per light. A layer is drawn again only when its light, or something
-/// that the light sees, has changed.
+/// Depth as each light sees it, reversed; a layer per spot light, six per point light. A layer is drawn again only when its light,
+/// or something that the light sees, has changed.
 struct ShadowMaps {
     ImageId sun;   ///< array: directional lights
     ImageId spot;  ///< array: spot lights
+    ImageId point; ///< array: point lights, six layers each
     bool next_is_drawn = false;  ///< the array that suns are about to move to has all of its layers
 };
 

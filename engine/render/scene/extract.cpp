@@ -6,6 +6,8 @@
 #include "engine/ecs/components.h"
 #include "engine/ecs/components/water.h"
 #include "engine/ecs/query.h"
+#include "engine/render/scene/point_map.h"
+#include "engine/render/scene/sun_map.h"
 
 namespace sl {
 
@@ -155,21 +157,25 @@ void extract_waters(World& world, RenderScene& scene) {
     }
 }
 
+/// The shadow map of one light: `layers` of an array, which together are so many squares of its size.
+struct MapLayout {
+    std::uint64_t layers = 1, squares = 1;
+};
+
 /// Lights of a kind share an array of maps, as large as the largest asks for. A file may have thousands of lights: those whose maps
-/// would take more than half a gigabyte, or more layers than OpenGL promises, get none.
-void bound_maps(RenderScene& scene, RenderScene::Light::Kind kind, std::uint64_t most_lights) {
-    constexpr std::uint64_t most_texels = std::uint64_t{1} << 27;
+/// would take more texels than `most`, or more layers than OpenGL promises, get none. Returns how many texels are left.
+std::uint64_t bound_maps(RenderScene& scene, RenderScene::Light::Kind kind, MapLayout layout, std::uint64_t most) {
+    constexpr std::uint64_t most_layers = 2048;
     std::uint64_t lights = 0, side = 0;
     for (RenderScene::Light& light : scene.lights) {
         if (light.kind != kind || (!light.casts_shadow && !light.bounces)) continue;
         const std::uint64_t largest = std::max<std::uint64_t>(side, light.shadow_size);
-        if (lights == most_lights || (lights + 1) * largest * largest > most_texels) {
-            light.casts_shadow = light.bounces = false;
-        } else {
-            side = largest;
-            ++lights;
-        }
+        light.mapped = (lights + 1) * layout.layers <= most_layers && (lights + 1) * layout.squares * largest * largest <= most;
+        if (!light.mapped) continue;
+        side = largest;
+        ++lights;
     }
+    return most - lights * layout.squares * side * side;
 }
 
 void extract_lights(World& world, RenderScene& scene) {
@@ -193,11 +199,14 @@ void extract_lights(World& world, RenderScene& scene) {
     for (auto [entity, light, transform] : Query<const PointLight, const WorldTransform>(world)) {
         if (light.intensity <= 0.0f || !is_placed(transform)) continue;
         scene.lights.push_back({.kind = Light::Kind::point, .position = relative(transform, scene.origin),
-                                .intensity = light.colour * light.intensity, .range = light.range, .entity = entity});
+                                .intensity = light.colour * light.intensity, .range = light.range,
+                                .casts_shadow = light.casts_shadow, .shadow_size = light.shadow_size, .entity = entity});
     }
-    // A sun's map may have 64 layers.
-    bound_maps(scene, Light::Kind::directional, 32);
-    bound_maps(scene, Light::Kind::spot, 2048);
+    constexpr std::uint64_t most_texels = RenderScene::most_shadow_bytes / sizeof(float);
+    // A sun's map may lie in tiles.
+    bound_maps(scene, Light::Kind::directional, {.layers = std::uint64_t{SunSquare::most_tiles} * SunSquare::most_tiles}, most_texels);
+    const std::uint64_t left = bound_maps(scene, Light::Kind::spot, {}, most_texels);
+    bound_maps(scene, Light::Kind::point, {.layers = point_face_count, .squares = point_face_count}, left);
     scene.sky_radiance = vec3(0.0f);
     scene.extinction = 0.0f;
     for (auto [entity, sky] : Query<const SkyLight>(world)) {

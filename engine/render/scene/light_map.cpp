@@ -7,6 +7,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include "engine/core/check.h"
+#include "engine/render/scene/point_map.h"
 
 namespace sl {
 
@@ -14,7 +15,9 @@ namespace {
 
 using Light = RenderScene::Light;
 
-bool has_map(const Light& light) { return light.kind != Light::Kind::point && (light.casts_shadow || light.bounces); }
+bool has_map(const Light& light) {
+    return light.mapped && (light.casts_shadow || (light.bounces && light.kind != Light::Kind::point));
+}
 
 LightMap map_of(const SunSquare& square) {
     LightMap map;
@@ -113,26 +116,32 @@ LightTable build_light_table(const RenderScene& scene) {
     Suns suns;
     for (std::uint32_t i = 0; i < scene.lights.size(); ++i) {
         const Light& light = scene.lights[i];
-        const bool mapped = has_map(light) && !scene.draws.empty(), sun = light.kind == Light::Kind::directional;
+        const bool mapped = has_map(light) && !scene.draws.empty(), sun = light.kind == Light::Kind::directional, spot = light.kind == Light::Kind::spot;
         LightMap& map = table.maps.emplace_back();
         std::vector<std::uint32_t> seen;
         if (mapped && sun) {
             const SunSquare square = fit_sun_square(scene, light);
             map = map_of(square);
             if (light.casts_shadow) suns.emplace_back(i, square);
-        } else if (mapped) {
+        } else if (mapped && spot) {
             map = fit_spot(scene, light);
+        } else if (mapped) {
+            map.half_extent = point_face_tangent(light);
         }
-        if (mapped && (light.bounces || !sun)) {
+        if (mapped && (spot || (sun && light.bounces))) {
             seen = visible_draws(scene, map.clip_from_world);
             map.key = content_key(scene, light, map, seen);
         }
         LightParams& params = table.params.emplace_back(light_params(light, map));
-        if (mapped && light.casts_shadow && !sun) {
+        if (mapped && light.casts_shadow && spot) {
             params.kind.y = static_cast<std::uint32_t>(table.spot_layers.size());
             table.spot_layers.push_back({.size = light.shadow_size, .clip_from_world = map.clip_from_world, .key = map.key, .draws = std::move(seen)});
         }
-        if (mapped && light.bounces) {
+        if (mapped && !sun && !spot) {
+            params.kind.y = static_cast<std::uint32_t>(point_face_count * table.point_maps.size());
+            params.tiles = vec4(point_near_plane(scene, light), map.half_extent, 0.0f, 0.0f);
+            table.point_maps.push_back(i);
+        } else if (mapped && light.bounces) {
             params.kind.z = static_cast<std::uint32_t>(table.rsm_layers.size());
             table.rsm_layers.push_back(i);
         }
@@ -142,10 +151,13 @@ LightTable build_light_table(const RenderScene& scene) {
     return table;
 }
 
-std::vector<std::uint32_t> visible_draws(std::span<const RenderScene::Draw> draws, const mat4& clip_from_world) {
+std::array<vec4, 5> view_planes(const mat4& clip_from_world) {
     const mat4 rows = glm::transpose(clip_from_world);
-    // Left, right, bottom, top; and in front (w > 0 for perspective). Far does not exist, near is harmless to keep.
-    const std::array<vec4, 5> planes{rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1], rows[3] - rows[1], rows[3]};
+    return {rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1], rows[3] - rows[1], rows[3]};
+}
+
+std::vector<std::uint32_t> visible_draws(std::span<const RenderScene::Draw> draws, const mat4& clip_from_world) {
+    const std::array<vec4, 5> planes = view_planes(clip_from_world);
     std::vector<std::uint32_t> visible;
     for (std::uint32_t i = 0; i < draws.size(); ++i) {
         const Bounds& box = draws[i].bounds;

@@ -60,7 +60,8 @@ struct RenderScene {
         float outer_cone = 0.5f;
         bool casts_shadow = false;
         bool bounces = false;
-        std::uint32_t shadow_size = 1024;
+        bool mapped = true;        ///< else there is no memory for its maps: in pictures nothing stands in its way, and it does not bounce
+        std::uint32_t shadow_size = 1024;  ///< texels, of each of a point light's six faces
         float shadow_distance = 100.0f;  ///< m, directional
         Entity entity{};                 ///< that it was made from, if any
 
@@ -81,6 +82,12 @@ struct RenderScene {
     const MeshPool* meshes = nullptr;
     const TextureLayers* textures = nullptr;
     PictureTable pictures;
+
+    /// Bytes that shadow maps of directional lights may take, and those of spot and point lights together; see Light::mapped.
+    static constexpr std::uint64_t most_shadow_bytes = std::uint64_t{512} << 20;
+
+    /// How many lights have no maps because they would take more than that.
+    std::size_t lights_without_maps() const;
 
     /// Hash of all geometry and materials, and of where the origin is.
     std::uint64_t geometry_hash() const;

@@ -15,6 +15,7 @@ struct ShadowLayer {
     std::vector<std::uint32_t> draws;
     vec3 from{0.0f};  ///< unit, towards a light so far off that it is in no solid thing, and what faces away throws no shadow of its own; else 0
     bool may_wait = false;  ///< nobody looks at what is out of date in it
+    bool in_view = true;    ///< else nothing of the picture lies in it: it is not drawn
 
     /// The key of a sun's tile in which nothing stands.
     std::uint64_t empty_key() const { return key >> 32 << 32 | 1; }

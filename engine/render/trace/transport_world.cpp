@@ -30,9 +30,9 @@ void TransportWorld::relight(const RenderScene& render_scene) {
     casts.clear();
     bounces.clear();
     for (const RenderScene::Light& light : render_scene.lights) {
-        // Point lights have no shadow setting: nothing shines through walls.
-        casts.push_back(light.casts_shadow || light.kind == RenderScene::Light::Kind::point);
-        bounces.push_back(light.bounces);
+        // Rays need no maps, and what is right does not hang on the memory for them.
+        casts.push_back(light.casts_shadow);
+        bounces.push_back(light.bounces && light.mapped);
     }
 }
 

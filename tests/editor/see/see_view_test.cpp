@@ -17,7 +17,7 @@ class SeeViewTest : public GlTest {
     void SetUp() override {
         GlTest::SetUp();
         builder.add({Shape::Kind::box, vec3(8, 1, 8)}, glm::translate(mat4(1.0f), vec3(0, -0.5f, 0)), vec3(0.5f));
-        builder.add({.kind = RenderScene::Light::Kind::point, .position = vec3(0, 3, 0), .intensity = vec3(450.0f)});
+        builder.add({.kind = RenderScene::Light::Kind::point, .position = vec3(0, 3, 0), .intensity = vec3(450.0f), .casts_shadow = true});
         builder.look(vec3(0, 2, 0), vec3(0, -1, 0), vec3(0, 0, -1), 1.0f);
         builder.scene().draws[0].entity = floor;
     }

@@ -44,7 +44,7 @@ RenderScene with_origin_at(const RenderScene& scene, const dvec3& origin) {
 TEST(FacetCache, KeepsItsLightWhenTheOriginStepsOn) {
     SceneBuilder builder;
     build_street(builder, 8);
-    builder.add({.kind = RenderScene::Light::Kind::point, .position = vec3(13.3f, 2.1f, 1.7f), .intensity = vec3(3e4f)});
+    builder.add({.kind = RenderScene::Light::Kind::point, .position = vec3(13.3f, 2.1f, 1.7f), .intensity = vec3(3e4f), .casts_shadow = true});
     builder.look(vec3(4, 1.7f, -2), glm::normalize(vec3(0.6f, -0.3f, 1)), vec3(0, 1, 0), 1.2f);
     const Facets settings{.spacing = 6.0f, .noise = 0.5f};
     FacetCache cache;

@@ -174,7 +174,7 @@ TEST_F(FacetsTest, AnotherSceneWithOtherLightsIsNothingNew) {
     const std::vector<RenderScene::Draw> draws = scene.draws;
     const std::vector<Light> lights = scene.lights;
     scene.draws.erase(scene.draws.begin());  // the ground, and with it most of the scene's size
-    scene.lights.push_back({.kind = Light::Kind::point, .position = vec3(0, 2, 5), .intensity = vec3(10.0f)});
+    scene.lights.push_back({.kind = Light::Kind::point, .position = vec3(0, 2, 5), .intensity = vec3(10.0f), .casts_shadow = true});
     (void)draw(scene);
     scene.draws = draws;
     scene.lights = lights;

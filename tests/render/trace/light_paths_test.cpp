@@ -89,7 +89,7 @@ RenderScene& room(SceneBuilder& builder, Light::Kind kind) {
     // Lights stand in the order of their kinds: the second one, which the first must be told from, is a point light.
     builder.add({.kind = kind, .position = vec3(0.1f, 3.6f, 0.1f), .direction = glm::normalize(vec3(0.05f, -1, 0.1f)), .intensity = vec3(100),
                  .outer_cone = 0.4f, .casts_shadow = true, .bounces = true});
-    builder.add({.kind = Light::Kind::point, .position = vec3(1, 2, -1), .intensity = vec3(0.1f, 0.2f, 0.3f), .bounces = true});
+    builder.add({.kind = Light::Kind::point, .position = vec3(1, 2, -1), .intensity = vec3(0.1f, 0.2f, 0.3f), .casts_shadow = true, .bounces = true});
     builder.look(vec3(-2, 1.5f, -2), vec3(1, -0.3f, 1), vec3(0, 1, 0), 1.2f);
     return builder.scene();
 }
