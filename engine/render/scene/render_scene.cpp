@@ -5,7 +5,9 @@
 
 namespace sl {
 
-float RenderScene::View::exposure() const { return exposure_of(ev100); }
+float RenderScene::View::exposure() const { return held_exposure.value_or(exposure_of(ev100)); }
+
+float RenderScene::View::white() const { return 1.0f / exposure_of(ev100); }
 
 std::uint64_t RenderScene::geometry_hash() const {
     std::uint64_t hash = hash_bytes(materials_hash, &origin, sizeof origin);
