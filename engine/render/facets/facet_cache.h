@@ -34,6 +34,7 @@ class FacetCache {
     /// What one update may spend.
     struct Budget {
         double seconds = 0.0;  ///< 0: until everything that is wanted is there
+        double longest_look = 0.5;  ///< s, where `seconds` is not 0: facets that are new may take so long, and the rest waits for the next update
         std::size_t memory = std::size_t{256} << 20;  ///< bytes, from which what was not seen for long is forgotten; what is seen may take more
     };
 
@@ -121,7 +122,7 @@ class FacetCache {
     void forget_empty_groups();
     void distrust_guide(std::uint32_t group);
     /// Returns what the last look returned, 0 where there was none.
-    float look_around(const FrameParams& frame, const Facets& settings, const Deadline& deadline);
+    float look_around(const FrameParams& frame, const Facets& settings, const Deadline& deadline, double longest_look);
     /// The first looks, at what boxes cover.
     void look_at(const FrameParams& frame, const Facets& settings, const std::vector<Bounds>& where, std::uint32_t looks);
     /// After so many, all that a still camera sees has been met.
@@ -131,6 +132,7 @@ class FacetCache {
         std::uint32_t number = 0;  ///< which pixel of each square
         std::uint32_t margin = 0;  ///< squares beyond the picture's edge
         bool half = false;         ///< every other square
+        double longest = 0.0;      ///< s that what it meets may take, 0: however long; what is left is met by later looks
     };
     /// Along rays that pass through one of the boxes, or all where there are none. Returns the share of squares in which a ray
     /// met what was not known.

@@ -110,7 +110,7 @@ float facet_side_over_distance(const FrameParams& frame, const Facets& settings)
     return settings.spacing * 2.0f * glm::length(vec3(frame.ray_up)) / frame.ray_up.w;
 }
 
-float FacetCache::look_around(const FrameParams& frame, const Facets& settings, const Deadline& deadline) {
+float FacetCache::look_around(const FrameParams& frame, const Facets& settings, const Deadline& deadline, double longest_look) {
     // A camera that moves meets little that is new, and looks again in the next frame; unless it is somewhere else altogether.
     const std::uint32_t all = all_looks(settings);
     std::uint32_t most = looks_ == 0 ? 1 : looks_at_once;
@@ -121,7 +121,7 @@ float FacetCache::look_around(const FrameParams& frame, const Facets& settings, 
     float fresh = 0.0f;
     for (std::uint32_t i = 0; i < most && looks_ < all && !deadline.passed(looking_takes); ++i) {
         // A camera that moves sees what it missed a frame later; at every other square it is asked in turn.
-        const Look what{.number = all_looks_++ % all, .margin = deadline.none() ? 0 : beyond_the_edge, .half = looks_ == 0 && !deadline.none()};
+        const Look what{.number = all_looks_++ % all, .margin = deadline.none() ? 0 : beyond_the_edge, .half = looks_ == 0 && !deadline.none(), .longest = deadline.none() ? 0.0 : longest_look};
         ++looks_;
         fresh = look(frame, settings, what);
         if (deadline.none() && fresh > elsewhere) most = all;
@@ -179,8 +179,14 @@ float FacetCache::look(const FrameParams& frame, const Facets& settings, const L
     });
     const auto known = static_cast<std::ptrdiff_t>(unfinished_.size());
     std::size_t fresh = 0;
+    // Where thousands of meshes lie in one place, a ray takes as long as thousands.
+    const Deadline deadline(what.longest);
     for (const auto& seen : unknown) {
         if (!seen) continue;
+        if (fresh > 0 && deadline.passed()) {
+            looks_ = 0;
+            break;
+        }
         ++fresh;
         for (const float level : seen->levels) add(seen->point, level);
         add(seen->point, seen->stand_in, 0, 0, true);
