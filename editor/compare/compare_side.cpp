@@ -22,13 +22,15 @@ std::string compare_source_name(CompareSource source) {
 
 std::size_t compare_source_count() { return first_method + gi_method_names().size(); }
 
-void CompareSide::draw(RenderScene scene, const Renderer::Request& request) {
+void CompareSide::draw(RenderScene scene, const Renderer::Request& request, float exposure) {
     const auto number = static_cast<std::size_t>(source);
     if (number < first_method) return rest();
     const std::string_view method = gi_method_names()[number - first_method];
     // Its own settings where the live picture has them, and those that the method comes with otherwise.
     if (!scene.gi || scene.gi->method.name() != method) scene.gi = GiSettings{make_gi_method(method)};
     if (renderer_ == nullptr) renderer_ = std::make_unique<Renderer>(shader_folder());
+    scene.view->auto_exposure = false;
+    scene.view->held_exposure = exposure;
     size_ = {request.width, request.height};
     result_ = renderer_->render(scene, {.width = request.width, .height = request.height, .frame_index = request.frame_index, .slice_budget = request.slice_budget});
 }

@@ -19,8 +19,8 @@ class CompareSide {
   public:
     CompareSource source = CompareSource::live;
 
-    /// Draws the same scene by this side's method, if it has one of its own.
-    void draw(RenderScene scene, const Renderer::Request& request);
+    /// Draws the same scene by this side's method, if it has one of its own; `exposure` multiplies nit.
+    void draw(RenderScene scene, const Renderer::Request& request, float exposure);
     ShownPicture drawn();
     /// Lets go of what drawing needs.
     void rest();

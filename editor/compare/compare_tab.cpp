@@ -94,7 +94,7 @@ void compare_tab(CompareView& view) {
     if (const auto& figures = view.figures()) figures_table(*figures);
     if (view.left.source == CompareSource::error || view.right.source == CompareSource::error) legend();
     if (const std::string problem = view.problem(); !problem.empty()) ImGui::TextWrapped("%s", problem.c_str());
-    ImGui::TextWrapped("While comparing, the camera's own exposure value holds for both sides.");
+    ImGui::TextWrapped("Both sides have the live picture's exposure. A camera that adapts holds it once the reference has begun.");
 }
 
 }  // namespace sl

@@ -29,7 +29,10 @@ Image coloured(const Image& error) {
 
 void CompareView::prepare(RenderScene& scene, Renderer::Request& request) const {
     if (!on) return;
-    if (scene.view) scene.view->auto_exposure = false;
+    if (scene.view && scene.view->auto_exposure && held_exposure_) {
+        scene.view->auto_exposure = false;
+        scene.view->held_exposure = held_exposure_;
+    }
     request.want_irradiance = true;
 }
 
@@ -37,6 +40,7 @@ void CompareView::update(const RenderScene& scene, const Renderer::Request& requ
     if (!on || !result.drawn) {
         reference_.reset();
         shown_reference_.reset();
+        held_exposure_.reset();
         worker_.forget();
         left.rest();
         right.rest();
@@ -47,13 +51,14 @@ void CompareView::update(const RenderScene& scene, const Renderer::Request& requ
     blinked_ += seconds;
     since_measured_ += seconds;
     if (std::exchange(freeze_wanted_, false)) frozen_.upload(renderer.read(result.images.final));
-    left.draw(scene, request);
-    right.draw(scene, request);
-    follow_reference(scene, size, seconds);
-    measure(scene, renderer, result);
+    const float exposure = renderer.exposure();
+    left.draw(scene, request, exposure);
+    right.draw(scene, request, exposure);
+    follow_reference(scene, size, seconds, exposure);
+    measure(renderer, result, exposure);
 }
 
-void CompareView::follow_reference(const RenderScene& scene, uvec2 size, double seconds) {
+void CompareView::follow_reference(const RenderScene& scene, uvec2 size, double seconds, float exposure) {
     // Through the middles of pixels, as the rasterizer's are: then the light can be compared pixel by pixel.
     if (reference_ == nullptr) reference_ = std::make_unique<LiveReference>(TransportSettings{.pixel_area = false}, truth_noise);
     reference_->follow(scene, size, seconds);
@@ -61,8 +66,10 @@ void CompareView::follow_reference(const RenderScene& scene, uvec2 size, double 
     if (newest == shown_reference_) return;
     shown_reference_ = newest;
     if (newest != nullptr) {
-        truth_.upload(shown(newest->layer(""), scene.view->exposure()));
+        truth_.upload(shown(newest->layer(""), exposure));
+        if (scene.view->auto_exposure) held_exposure_ = exposure;
     } else {
+        held_exposure_.reset();
         truth_.clear();
         error_.clear();
         worker_.forget();
@@ -70,7 +77,7 @@ void CompareView::follow_reference(const RenderScene& scene, uvec2 size, double 
     }
 }
 
-void CompareView::measure(const RenderScene& scene, Renderer& renderer, const Renderer::Result& result) {
+void CompareView::measure(Renderer& renderer, const Renderer::Result& result, float exposure) {
     const auto& figures = worker_.figures();
     if (figures && figures->samples != error_of_ && shown_reference_ != nullptr) {
         error_.upload(coloured(figures->error));
@@ -82,7 +89,7 @@ void CompareView::measure(const RenderScene& scene, Renderer& renderer, const Re
     worker_.begin({.reference = shown_reference_,
                    .irradiance = at_least(without_alpha(renderer.read(result.images.irradiance)), {truth.width, truth.height}),
                    .picture = without_alpha(renderer.read(result.images.final)),
-                   .exposure = scene.view->exposure()});
+                   .exposure = exposure});
 }
 
 ShownPicture CompareView::picture_of(CompareSide& side) {

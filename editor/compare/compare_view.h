@@ -17,8 +17,8 @@ class CompareView {
 
     CompareView() { right.source = CompareSource::reference; }
 
-    /// Before the live picture is drawn: what it must keep for comparing. Both sides are exposed as the camera says, because
-    /// eyes that adapt to one of them would change the other.
+    /// Before the live picture is drawn: what it must keep for comparing. Both sides have its exposure; where it adapts, that is held
+    /// from the reference's first picture on, so that another light is not made up for.
     void prepare(RenderScene& scene, Renderer::Request& request) const;
     /// After it was drawn.
     void update(const RenderScene& scene, const Renderer::Request& request, Renderer& renderer, const Renderer::Result& result, double seconds);
@@ -38,12 +38,13 @@ class CompareView {
 
   private:
     bool shows(CompareSource source) const { return left.source == source || right.source == source; }
-    void follow_reference(const RenderScene& scene, uvec2 size, double seconds);
-    void measure(const RenderScene& scene, Renderer& renderer, const Renderer::Result& result);
+    void follow_reference(const RenderScene& scene, uvec2 size, double seconds, float exposure);
+    void measure(Renderer& renderer, const Renderer::Result& result, float exposure);
     ShownPicture picture_of(CompareSide& side);
 
     std::unique_ptr<LiveReference> reference_;  ///< while comparing
     std::shared_ptr<const LiveReference::Picture> shown_reference_;
+    std::optional<float> held_exposure_;
     CompareWorker worker_;
     std::uint32_t measured_samples_ = 0;
     double since_measured_ = 0.0, blinked_ = 0.0;  ///< s

@@ -13,7 +13,7 @@ void SeeView::prepare(Renderer::Request& request) const {
 }
 
 void SeeView::update(const SeenFrame& frame) {
-    image.update(frame.renderer, frame.result.drawn ? frame.scene.view->exposure() : 1.0f, frame.seconds);
+    image.update(frame.renderer, frame.seconds);
     probe.update(frame);
     facets.update(frame);
 }

@@ -48,22 +48,22 @@ void ShownImage::clear() {
     source_ = {};
 }
 
-void ShownImage::update(const Renderer& renderer, float exposure, double seconds) {
+void ShownImage::update(const Renderer& renderer, double seconds) {
     listed_ = listed_images(renderer.graph());
     until_read_ -= seconds;
     const ListedImage* image = chosen();
     const ImageId id = image == nullptr ? ImageId{} : renderer.graph().find_image(holder());
     if (!renderer.readable(id)) return clear();
     layer = std::min(layer, std::max(image->layers, 1u) - 1);
-    if (until_read_ <= 0.0 || source_ != Source{name, layer, stops}) read(renderer, id, exposure);
+    if (until_read_ <= 0.0 || source_ != Source{name, layer, stops}) read(renderer, id);
 }
 
-void ShownImage::read(const Renderer& renderer, ImageId image, float exposure) {
+void ShownImage::read(const Renderer& renderer, ImageId image) {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point start = Clock::now();
     Image values = renderer.read(image, layer);
     if (name == rsm_normal_image) values = rsm_normals(values);
-    const DisplayMapping mapping = display_mapping(name, values, exposure).brighter(stops);
+    const DisplayMapping mapping = display_mapping(name, values, renderer.exposure()).brighter(stops);
     picture_.upload(displayable(values, mapping));
     range_ = mapping.range(name);
     has_exposure_ = mapping.has_exposure();

@@ -26,7 +26,7 @@ class ShownImage {
     /// Before the frame is drawn: it must keep the image.
     void prepare(Renderer::Request& request) const;
     /// After it was drawn.
-    void update(const Renderer& renderer, float exposure, double seconds);
+    void update(const Renderer& renderer, double seconds);
     /// Over the picture and behind all widgets, in the proportions of the image. Nothing where there is no image.
     void draw(float scale) const;
 
@@ -42,7 +42,7 @@ class ShownImage {
   private:
     /// The image of the graph that holds the chosen one.
     std::string holder() const;
-    void read(const Renderer& renderer, ImageId image, float exposure);
+    void read(const Renderer& renderer, ImageId image);
     void clear();
 
     /// What the uploaded picture was made from.

@@ -8,7 +8,7 @@
 namespace sl {
 
 inline constexpr int deepest_json = 64;
-/// Bytes of memory, without texts: of about a million entities of a scene.
+/// Bytes of memory, without texts: more than the largest scene takes.
 inline constexpr std::size_t most_json_memory = std::size_t{3} << 27;
 
 /// Parses a text that may be anything. Throws Error "file:line:column: what is wrong" for what is no JSON, is

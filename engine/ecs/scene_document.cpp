@@ -96,6 +96,10 @@ class Merge {
             fail("{}: /{}: must be an array […], not {}", file.shown, scene_key::entities,
                  found->type_name());
         }
+        read_ += found->size();
+        if (read_ > most_scene_entities) {
+            fail("{}: /{}: {} entities, with those of included files; {} is the limit", file.shown, scene_key::entities, read_, most_scene_entities);
+        }
         std::unordered_set<std::string> names;
         const auto folder = std::make_shared<const fs::path>(fs::path(file.shown).parent_path());
         for (std::size_t i = 0; i < found->size(); ++i) {
@@ -191,6 +195,7 @@ class Merge {
 
     std::vector<SceneEntity> entities_;
     std::unordered_map<std::string, std::size_t> by_name_;
+    std::size_t read_ = 0;
 };
 
 }  // namespace

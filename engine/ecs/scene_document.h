@@ -16,6 +16,8 @@ namespace sl {
 
 inline constexpr std::uint64_t most_scene_bytes = std::uint64_t{64} << 20;
 inline constexpr std::size_t deepest_include = 8;
+/// Of a file and all that it includes, each time that one is spoken of: what is read of them must not take long.
+inline constexpr std::size_t most_scene_entities = std::size_t{1} << 17;
 
 namespace scene_key {
 inline constexpr std::string_view schema = "$schema";

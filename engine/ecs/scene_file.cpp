@@ -119,6 +119,7 @@ void write_scene(const World& world, const ComponentRegistry& registry, const st
     ordered_json& entities = scene[std::string(scene_key::entities)] = ordered_json::array();
     std::unordered_set<std::string_view> names;
     if (const auto* named = world.find_pool<Name>()) {
+        if (named->size() > most_scene_entities) fail("{}: not written, because there are {} entities; {} is the limit", file, named->size(), most_scene_entities);
         for (const Entity entity : named->entities()) {
             const std::string& name = world.get<Name>(entity).value;
             if (name.empty()) fail("{}: not written, because an entity has an empty name; name it", file);

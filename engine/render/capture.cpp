@@ -58,7 +58,6 @@ Capture capture(App& app, Renderer& renderer, const CaptureSettings& settings) {
         result.picture = Image(settings.width, settings.height, 3);
         return result;
     }
-    const float exposure = scene.view->exposure();
     if (shown.name.empty()) {
         result.picture = without_alpha(renderer.read(result.result.images.final));
     } else {
@@ -66,7 +65,7 @@ Capture capture(App& app, Renderer& renderer, const CaptureSettings& settings) {
         const std::uint32_t layers = std::max(renderer.graph().resources()[image.index].image.layers, 1u);
         if (shown.layer >= layers) fail("--show: '{}' has {} layers, counted from 0", shown.name, layers);
         const Image raw = at_least(renderer.read(image, shown.layer), uvec2(settings.width, settings.height));
-        result.picture = displayable(shown.name, raw, exposure);
+        result.picture = displayable(shown.name, raw, renderer.exposure());
         const bool screen_sized = raw.width == settings.width && raw.height == settings.height;
         if (!settings.layers || !screen_sized) result.layers.push_back({shown.name, raw});
     }

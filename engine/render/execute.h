@@ -33,6 +33,8 @@ class Executor {
     std::vector<float> read(const FrameGraph& graph, ImageId image, std::uint32_t layer = 0) const;
     /// The same of one texel, counted from the bottom left.
     std::vector<float> read_texel(const FrameGraph& graph, ImageId image, uvec2 texel, std::uint32_t layer = 0) const;
+    /// A number of a persistent buffer's beginning. Slow.
+    float read_number(const std::string& buffer) const;
 
     gl::ProgramCache& programs() { return programs_; }
     gl::SpanTimers& timers() { return timers_; }

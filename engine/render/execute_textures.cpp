@@ -2,6 +2,7 @@
 // The executor's textures: transient ones are reused as soon as their last reader has run, persistent ones keep their
 // name, and framebuffers are made once per set of attachments.
 #include <algorithm>
+#include <cstring>
 
 #include "engine/render/execute.h"
 
@@ -124,6 +125,14 @@ std::vector<float> Executor::read(const FrameGraph& graph, ImageId image, std::u
 
 std::vector<float> Executor::read_texel(const FrameGraph& graph, ImageId image, uvec2 texel, std::uint32_t layer) const {
     return readable(graph, image).read_texel(texel, layer);
+}
+
+float Executor::read_number(const std::string& buffer) const {
+    const auto found = persistent_buffers_.find(buffer);
+    CHECK(found != persistent_buffers_.end(), "there is no persistent buffer '{}'", buffer);
+    float number = 0.0f;
+    std::memcpy(&number, found->second.read(sizeof number).data(), sizeof number);
+    return number;
 }
 
 std::uint64_t Executor::texture_bytes() const {

@@ -9,6 +9,8 @@
 #include "engine/core/error.h"
 #include "engine/core/log.h"
 #include "engine/render/pass_times.h"
+#include "engine/render/passes/exposure.h"
+#include "shared/exposure.h"
 
 namespace sl {
 
@@ -41,6 +43,8 @@ Renderer::Result Renderer::render(const RenderScene& given, const Request& reque
                            .seconds = request.seconds,
                            .time = request.time};
     images_ = build_frame(frame, passes_);
+    exposure_ = scene.view->exposure();
+    adapts_ = scene.view->auto_exposure;
     times_.done("build");
     result.images = images_;
     graph_.want(result.images.final);
@@ -89,6 +93,8 @@ Image Renderer::read(ImageId image, std::uint32_t layer) const {
     }
     return result;
 }
+
+float Renderer::exposure() const { return adapts_ ? exposure_of(executor_.read_number(adapted_ev_buffer)) : exposure_; }
 
 vec4 Renderer::read_pixel(ImageId image, uvec2 pixel, std::uint32_t layer) const {
     const TextureDesc& desc = graph_.resources()[image.index].image;

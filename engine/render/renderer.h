@@ -57,6 +57,8 @@ class Renderer {
 
     /// One layer of an image of the last frame as an Image, top row first.
     Image read(ImageId image, std::uint32_t layer = 0) const;
+    /// What the last frame's picture multiplied nit with, also where the camera adapts: then it is read back, which is slow.
+    float exposure() const;
     /// One pixel of it, counted from the top left; channels that it has not are 0. A black image of one pixel is black everywhere.
     vec4 read_pixel(ImageId image, uvec2 pixel, std::uint32_t layer = 0) const;
     /// Whether the image was kept in the last frame, so that it can be read.
@@ -87,6 +89,8 @@ class Renderer {
     std::vector<PicturePass> passes_;
     std::size_t told_without_maps_ = 0;
     WorkTimes times_;
+    float exposure_ = 1.0f;  ///< of the last frame, if nothing adapted
+    bool adapts_ = false;
 };
 
 /// Names of all images that a graph makes, for messages and lists.

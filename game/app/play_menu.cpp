@@ -86,6 +86,8 @@ void Play::change_world(const WorldChoice& choice) {
 }
 
 void Play::show_instead(App app, PlaySettings settings) {
+    // What was wished for earlier and is still being read comes no more.
+    opening_.reset();
     settings_ = std::move(settings);
     app_ = std::move(app);
     renderer_.emplace(shader_folder());

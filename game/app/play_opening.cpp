@@ -33,6 +33,7 @@ void Play::open_dropped(const std::vector<std::filesystem::path>& files) {
     if (known == files.end()) return tell(fmt::format("{}: it is no model (.gltf, .glb, .vox), scene (.json) or world (.world)", files.front().string()));
     if (!may_leave(known->filename().string())) return;
     if (is_world_file(*known)) return choose_world({.path = *known});
+    if (std::exchange(wanted_world_, std::nullopt)) show_page(menu_, MenuPage::closed);
     PlaySettings next = settings_;
     next.scene = {.scene = known->string()};
     next.world.clear();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Light that comes straight from a light: all lights of the scene, shadowed, on a pixel's full reflectance.
+#include "lib/emission.glsl"
 #include "lib/gbuffer.glsl"
 #include "lib/shadow.glsl"
 
@@ -19,7 +20,7 @@ vec3 directly_lit(ivec2 pixel, Point point, vec3 facing) {
     surface.normal = vec4(point.normal, layers.y);
     surface.specular = vec4(layers.z);
     vec3 to_eye = normalize(frame.camera_position.xyz - point.position);
-    vec3 radiance = texelFetch(emission, pixel, 0).rgb;
+    vec3 radiance = emission_of(texelFetch(emission, pixel, 0));
     bool there = point.distance > 0.0;
     // One loop per kind of light: a software rasterizer runs both sides of every branch, but no empty loop.
     for (uint i = 0u; i < (there ? frame.counts.z : 0u); ++i) {

@@ -26,7 +26,12 @@ void main() {
         if (mine < half_way) sums[mine] += sums[mine + half_way];
     }
     barrier();
-    if (mine != 0u || sums[0].y <= 0.0) return;
+    if (mine != 0u) return;
+    if (sums[0].y <= 0.0) {
+        // In the dark nothing is adapted to; but the first picture must leave a number.
+        if (params.adapt.x >= 1.0) ev = params.adapt.y;
+        return;
+    }
     float wanted = adapted_ev(sums[0].x / sums[0].y, params);
     ev = params.adapt.x < 1.0 ? mix(ev, wanted, params.adapt.x) : wanted;
 }

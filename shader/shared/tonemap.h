@@ -22,9 +22,8 @@ SHARED_FN vec3 exposed_from_filmic(vec3 display) {
     return (sqrt(b * b + 0.56f * a * y) - b) / (1.2f * a);
 }
 
-/// Radiance, nit, of a surface that shows its colour whatever light there is; white: nit that the camera exposes as 1. At most
-/// the largest half float: in daylight that shows white a little darker.
-SHARED_FN vec3 unlit_radiance(vec3 colour, float white) { return min(exposed_from_filmic(colour) * white, vec3(65504.0f)); }
+/// Radiance, nit, of a surface that shows its colour whatever light there is; white: nit that the camera exposes as 1.
+SHARED_FN vec3 unlit_radiance(vec3 colour, float white) { return exposed_from_filmic(colour) * white; }
 
 /// The same of one channel.
 SHARED_FN float srgb_encode_channel(float linear) {

@@ -2,6 +2,7 @@
 #include <array>
 
 #include "engine/core/math.h"
+#include "engine/ecs/scene_document.h"
 #include "tests/ecs_components/scene_folder.h"
 
 namespace sl {
@@ -142,6 +143,20 @@ TEST_F(MalformedScenes, FilesAreErrorsAndNothingWorse) {
         const std::string message = error_of_entities(entities);
         EXPECT_TRUE(message.starts_with("s.json")) << entities << "\n" << message;
     }
+    EXPECT_EQ(world.entity_count(), 0u);
+}
+
+TEST_F(MalformedScenes, EntitiesOfAllFilesAreCountedFirst) {
+    const auto empty = [](std::size_t count) {
+        std::string text = "{}";
+        for (std::size_t i = 1; i < count; ++i) text += ",{}";
+        return text;
+    };
+    const char* wanted = "s.json: /entities: 131073 entities, with those of included files; 131072 is the limit";
+    EXPECT_EQ(error_of_entities("[" + empty(most_scene_entities + 1) + "]"), wanted);
+    put("inner.json", R"({"secondlight_scene": 1, "entities": [{"name": "a"}, {"name": "b"}]})");
+    put("s.json", R"({"secondlight_scene": 1, "include": "inner.json", "entities": [)" + empty(most_scene_entities - 1) + "]}");
+    EXPECT_EQ(error_of_reading("s.json"), wanted);
     EXPECT_EQ(world.entity_count(), 0u);
 }
 

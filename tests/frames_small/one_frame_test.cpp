@@ -2,6 +2,7 @@
 // One small whole frame of each method, quick enough to run under the sanitizers: extraction, passes, gathers and reading back.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/render/capture.h"
@@ -31,6 +32,20 @@ TEST_P(OneFrame, IsFiniteAndLit) {
             }
         }
         EXPECT_EQ(irradiance > 0.0, method != "off");
+    }
+    EXPECT_TRUE(context->errors().empty());
+}
+
+TEST(ShownImages, HaveTheExposureOfAPictureThatAdapts) {
+    auto context = gl::create_context(gl::ContextKind::egl);
+    {
+        Renderer renderer(shader_folder());
+        App app = open_scene({.scene = "cornell", .gi = "off", .sets = {"camera.auto_exposure=true", "camera.ev100=20", "camera.antialias=false"}});
+        const Image picture = capture(app, renderer, {.width = 32, .height = 18}).picture;
+        const Image radiance = capture(app, renderer, {.width = 32, .height = 18, .show = "hdr"}).picture;
+        ASSERT_EQ(picture.data.size(), radiance.data.size());
+        for (std::size_t i = 0; i < picture.data.size(); ++i) EXPECT_NEAR(picture.data[i], radiance.data[i], 0.005f) << i;
+        EXPECT_GT(*std::ranges::max_element(picture.data), 0.2f) << "at EV 20 all of it would be black";
     }
     EXPECT_TRUE(context->errors().empty());
 }

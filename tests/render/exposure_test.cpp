@@ -52,6 +52,27 @@ TEST_F(AutoExposure, IsToldOfAPictureThatIsThere) {
     EXPECT_EQ(exposure_for(*builder.scene().view, Image(1, 1, 3)), builder.scene().view->exposure());
 }
 
+TEST_F(AutoExposure, TheRendererTellsWhatThePictureHas) {
+    const RenderScene::View& view = *builder.scene().view;
+    Image radiance(33, 21, 3);
+    for (const float nit : {0.5f, 2e4f}) {
+        renderer.forget();
+        std::ranges::fill(radiance.data, nit);
+        shown(nit);
+        const float wanted = exposure_for(view, radiance);
+        EXPECT_NEAR(renderer.exposure(), wanted, 0.01f * wanted) << nit;
+    }
+    renderer.forget();
+    EXPECT_EQ(shown(0.0f, std::numeric_limits<float>::infinity()), 0.0f);
+    EXPECT_FLOAT_EQ(renderer.exposure(), view.exposure()) << "there is nothing to adapt to";
+    builder.scene().view->auto_exposure = false;
+    shown(2e4f);
+    EXPECT_EQ(renderer.exposure(), view.exposure());
+    builder.scene().view->held_exposure = 1e-3f;
+    EXPECT_NEAR(shown(100.0f), display_from_radiance(vec3(100.0f), 1e-3f).x, 0.005f);
+    EXPECT_EQ(renderer.exposure(), 1e-3f);
+}
+
 TEST_F(AutoExposure, TakesItsTimeWhateverTheFrameRate) {
     const float before = shown(100.0f);
     const float dazzled = shown(3000.0f);

@@ -9,6 +9,9 @@
 
 namespace sl {
 
+/// What the URIs of data usually begin with; small letters are not asked for.
+inline constexpr std::string_view gltf_data_scheme = "data:";
+
 /// A URI of a file, taken apart.
 struct GltfUri {
     enum class Kind : std::uint8_t {

@@ -8,6 +8,7 @@
 #include "engine/core/closest_name.h"
 #include "engine/core/error.h"
 #include "engine/core/gltf/gltf_check.h"
+#include "engine/core/gltf/gltf_uri.h"
 #include "engine/core/model/file_bytes.h"
 #include "engine/core/model/gltf_expansion.h"
 #include "engine/core/model/gltf_floats.h"
@@ -75,7 +76,7 @@ std::vector<ModelImage> images_of(GltfReader& reader) {
         const std::string_view uri = gltf_text_at(list[i], "uri");
         const auto bytes = reader.resources().images()[i];
         ModelImage& image = images.emplace_back();
-        image.name = uri.empty() || uri.starts_with("data:") ? where : for_message(uri, 120);
+        image.name = uri.empty() || uri.starts_with(gltf_data_scheme) ? where : for_message(uri, 120);
         if (bytes.empty()) {
             reader.warn(where, "the picture cannot be read, and is white");
             continue;

@@ -47,7 +47,7 @@ float FacetCache::update(const RenderScene& scene, const FrameParams& frame, con
     if (followed == Followed::at_once) deadline = Deadline(budget.seconds);
     do {
         deadline.leave(least_work * budget.seconds);
-        const float fresh = look_around(frame, settings, deadline);
+        const float fresh = look_around(frame, settings, deadline, budget.longest_look);
         times_.done("look");
         // Not in a frame that took surfaces in as well: the next ones have the time.
         if (followed != Followed::in_passing) deadline.extend(longer_in_the_dark(std::max(fresh, dark_share())));

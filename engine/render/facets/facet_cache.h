@@ -34,6 +34,7 @@ class FacetCache {
     /// What one update may spend.
     struct Budget {
         double seconds = 0.0;  ///< 0: until everything that is wanted is there
+        double longest_look = 0.5;  ///< s, where `seconds` is not 0: facets that are new may take so long, and the rest waits for the next update
         std::size_t memory = std::size_t{256} << 20;  ///< bytes, from which what was not seen for long is forgotten; what is seen may take more
     };
 
@@ -122,7 +123,7 @@ class FacetCache {
     void forget_empty_groups();
     void distrust_guide(std::uint32_t group);
     /// Returns what the last look returned, 0 where there was none.
-    float look_around(const FrameParams& frame, const Facets& settings, const Deadline& deadline);
+    float look_around(const FrameParams& frame, const Facets& settings, const Deadline& deadline, double longest_look);
     /// The first looks, at what boxes cover.
     void look_at(const FrameParams& frame, const Facets& settings, const std::vector<Bounds>& where, std::uint32_t looks);
     /// After so many, all that a still camera sees has been met.
@@ -132,10 +133,14 @@ class FacetCache {
         std::uint32_t number = 0;  ///< which pixel of each square
         std::uint32_t margin = 0;  ///< squares beyond the picture's edge
         bool half = false;         ///< every other square
+        double longest = 0.0;      ///< s that what it meets may take, 0: however long; what is left is met by later looks
     };
     /// Along rays that pass through one of the boxes, or all where there are none. Returns the share of squares in which a ray
     /// met what was not known.
     float look(const FrameParams& frame, const Facets& settings, const Look& what, const std::vector<Bounds>& where = {});
+    /// By how many levels a facet is coarser that stands in where there is no light yet: the largest that a shader finds, for there
+    /// are 64 times fewer of them, and a frame or two light them.
+    static constexpr float stand_in_coarser = 3.0f;
     /// A facet where a point lies.
     struct Wanted {
         SurfacePoint point;
@@ -144,9 +149,10 @@ class FacetCache {
         std::uint32_t depth = 0;
         bool stand_in = false;
     };
-    /// The next finer one that is not there yet, of those that what the camera sees of a cut facet asks for.
+    /// Where the facet of this level is split: the next finer one that is not there yet at the point.
     std::optional<Wanted> finer_at(const SurfacePoint& point, float level) const;
     void add(std::span<const Wanted> wanted);
+    /// A facet that does not stand in: by what is seen of it where it is cut, else when its light is known.
     void ask_for_finer(FacetName name, Facet& facet);
     std::uint32_t add_corner(const FacetCorner& corner, float level, float group_level);
     std::uint32_t group_at(FacetName cell);

@@ -19,7 +19,7 @@ ExposureParams params_of(const RenderScene::View& view, float share) { return {.
 }  // namespace
 
 BufferId adapted_exposure(const FrameInput& frame, ImageId hdr) {
-    const BufferId exposure = frame.graph.persistent_buffer("exposure", sizeof(float));
+    const BufferId exposure = frame.graph.persistent_buffer(adapted_ev_buffer, sizeof(float));
     const bool first = frame.graph.needs_redraw(exposure, 0, 1);
     const ExposureParams params = params_of(*frame.scene.view, first ? 1.0f : 1.0f - std::pow(left_after_a_second, frame.seconds));
     auto pass = frame.graph.compute("exposure", "passes/exposure.comp");

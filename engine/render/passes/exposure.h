@@ -6,6 +6,9 @@
 
 namespace sl {
 
+/// The persistent buffer that holds the EV.
+inline constexpr const char* adapted_ev_buffer = "exposure";
+
 /// Steps the EV at which the picture asks to be exposed (one float), as eyes adapt; the first picture gets it at once.
 BufferId adapted_exposure(const FrameInput& frame, ImageId hdr);
 

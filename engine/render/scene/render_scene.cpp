@@ -7,7 +7,9 @@
 
 namespace sl {
 
-float RenderScene::View::exposure() const { return exposure_of(ev100); }
+float RenderScene::View::exposure() const { return held_exposure.value_or(exposure_of(ev100)); }
+
+float RenderScene::View::white() const { return 1.0f / exposure_of(ev100); }
 
 std::size_t RenderScene::lights_without_maps() const {
     return static_cast<std::size_t>(std::ranges::count(lights, false, &Light::mapped));

@@ -24,13 +24,16 @@ struct RenderScene {
         float behind = 0.0f; ///< m: how far behind its place an orthographic camera is thought to stand; see lens_of
         float ev100 = 12.0f;
         bool auto_exposure = false;
+        std::optional<float> held_exposure{};  ///< multiplies nit in place of what EV100 asks for; what is unlit keeps to EV100
         bool antialias = true;
         bool in_water = false;
 
         /// Of the camera itself.
         vec3 place() const { return position + behind * forward; }
-        /// Multiplies nit: 1 / (1.2 · 2^EV100) (ISO 2720).
+        /// Multiplies nit where nothing adapts.
         float exposure() const;
+        /// Nit that EV100 exposes as 1: 1.2 · 2^EV100 (ISO 2720).
+        float white() const;
     };
 
     /// A mesh at a place.

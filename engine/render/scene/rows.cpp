@@ -19,7 +19,7 @@ MaterialParams material_params(const MaterialEntry& entry, std::uint32_t picture
 MaterialRows material_rows(const RenderScene& scene) {
     MaterialRows rows;
     rows.materials.reserve(scene.materials.size());
-    const float white = scene.view ? 1.0f / scene.view->exposure() : 1.0f;
+    const float white = scene.view ? scene.view->white() : 1.0f;
     for (const MaterialEntry& entry : scene.materials) {
         if (entry.pictures) rows.pictures.push_back(*entry.pictures);
         rows.materials.push_back(material_params(entry, entry.pictures ? static_cast<std::uint32_t>(rows.pictures.size()) : 0, white));

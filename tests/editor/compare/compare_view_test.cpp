@@ -44,6 +44,15 @@ class CompareViewTest : public GlTest {
         return view.parts()[1].picture;
     }
 
+    /// Of its bytes, 0 to 1.
+    static double mean(const ShownPicture& picture) {
+        std::vector<std::uint8_t> bytes(std::size_t{picture.size.x} * picture.size.y * 4);
+        glGetTextureImage(picture.texture, 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(bytes.size()), bytes.data());
+        double sum = 0.0;
+        for (std::size_t i = 0; i < bytes.size(); ++i) sum += i % 4 < 3 ? bytes[i] / 255.0 : 0.0;
+        return sum / (0.75 * static_cast<double>(bytes.size()));
+    }
+
     SceneBuilder builder;
     Renderer renderer{shader_folder()};
     CompareView view;
@@ -92,6 +101,21 @@ TEST_F(CompareViewTest, BeginsAnewAfterAMoveAndAResize) {
     }
     EXPECT_EQ(view.problem(), "");
     ASSERT_TRUE(frames_until([&] { return view.figures().has_value(); }));
+}
+
+TEST_F(CompareViewTest, BothSidesHaveTheExposureOfAPictureThatAdapts) {
+    builder.scene().view->auto_exposure = true;
+    builder.scene().view->ev100 = 2.0f;
+    ASSERT_TRUE(frames_until([&] { return view.figures() && view.figures()->truth_noise < 0.1; }));
+    EXPECT_GT(mean(view.parts()[0].picture), 0.05);
+    EXPECT_LT(mean(view.parts()[0].picture), 0.9) << "at EV 2 all of it would be white";
+    EXPECT_NEAR(mean(view.parts()[1].picture), mean(view.parts()[0].picture), 0.05);
+    EXPECT_LT(view.figures()->flip, 0.2);
+    // What makes the live side darker is not made up for.
+    const double before = mean(view.parts()[0].picture);
+    builder.use(GiOff{});
+    for (int i = 0; i < 30; ++i) frame();
+    EXPECT_LT(mean(view.parts()[0].picture), before - 0.01);
 }
 
 TEST_F(CompareViewTest, PartsFillTheWidth) {

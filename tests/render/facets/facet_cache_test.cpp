@@ -2,6 +2,7 @@
 #include "engine/render/facets/facet_cache.h"
 
 #include <glm/gtc/matrix_transform.hpp>
+#include <set>
 
 #include "engine/render/scene/frame_params.h"
 #include "tests/support/scene_builder.h"
@@ -93,6 +94,32 @@ TEST(FacetCache, KeepsItsLightWhenMuchComesFarOff) {
     // Without time nothing is gathered anew: what is there was kept.
     (void)cache.update(builder.scene(), frame_params(builder.scene(), 96, 54, 0), settings, {.seconds = 1e-9});
     EXPECT_EQ(cache.outlines_near(vec3(0.0f), 1000).size(), before);
+}
+
+std::set<FacetName> names_of(const FacetTable& table) {
+    std::set<FacetName> names;
+    for (std::uint32_t slot = 0; slot < table.slots; ++slot) names.insert(FacetName{table.words[2 * slot]} << 32 | table.words[2 * slot + 1]);
+    return names;
+}
+
+TEST(FacetCache, LooksThatAreCutShortMeetTheRestLater) {
+    SceneBuilder builder;
+    build_street(builder, 2);
+    // In the dark no facet is split.
+    builder.scene().lights.clear();
+    builder.look(vec3(4, 1.7f, -2), glm::normalize(vec3(0.6f, -0.3f, 1)), vec3(0, 1, 0), 1.2f);
+    const FrameParams frame = frame_params(builder.scene(), 96, 54, 0);
+    const Facets settings{.spacing = 6.0f, .noise = 1.0f};
+    FacetCache cut, whole;
+    for (int i = 0; i < 500; ++i) (void)whole.update(builder.scene(), frame, settings, {.seconds = 1e-3});
+    const std::set<FacetName> all = names_of(whole.table());
+    ASSERT_GT(all.size(), 200u);
+    (void)cut.update(builder.scene(), frame, settings, {.seconds = 1e-3, .longest_look = 1e-9});
+    EXPECT_LT(names_of(cut.table()).size(), 10u);
+    // Each look meets one place at least.
+    for (int i = 0; i < 4000; ++i) (void)cut.update(builder.scene(), frame, settings, {.seconds = 1e-3, .longest_look = 1e-9});
+    // Which larger facets stand in for others depends on the order in which these are met.
+    EXPECT_NEAR(static_cast<double>(names_of(cut.table()).size()), static_cast<double>(all.size()), 0.03 * static_cast<double>(all.size()));
 }
 
 TEST(FacetCache, LightThatTurnsWhileLandComesIsFollowedInTheNextFrame) {
