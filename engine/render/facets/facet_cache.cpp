@@ -12,12 +12,12 @@ namespace sl {
 namespace {
 
 /// How much more time than its budget a frame gets where much of what is in view has no light: at the start, or somewhere else
-/// altogether. From the one share on, which a camera that moves always meets, up to the other.
+/// altogether. From a little up to this share.
 constexpr double dark_frames_take = 4.0;
-constexpr float a_little_dark = 0.03f, much_dark = 0.15f;
+constexpr float much_dark = 0.15f;
 
-double longer_in_the_dark(float dark) {
-    const float part = std::clamp((dark - a_little_dark) / (much_dark - a_little_dark), 0.0f, 1.0f);
+double longer_in_the_dark(float dark, float a_little) {
+    const float part = std::clamp((dark - a_little) / (much_dark - a_little), 0.0f, 1.0f);
     return glm::mix(1.0, dark_frames_take, static_cast<double>(part));
 }
 
@@ -50,7 +50,8 @@ float FacetCache::update(const RenderScene& scene, const FrameParams& frame, con
         const float fresh = look_around(frame, settings, deadline, budget.longest_look);
         times_.done("look");
         // Not in a frame that took surfaces in as well: the next ones have the time.
-        if (followed != Followed::in_passing) deadline.extend(longer_in_the_dark(std::max(fresh, dark_share())));
+        dark_ = dark_share(true);
+        if (followed != Followed::in_passing) deadline.extend(longer_in_the_dark(std::max(fresh, dark_share(false)), a_little_dark));
         deadline.leave(least_work * budget.seconds);
         work(settings, deadline);
         split_where_needed();
@@ -74,10 +75,10 @@ bool FacetCache::in_view(const Group& group) const {
     return group.seen + (looks_ < looks_that_see_all ? looks_that_see_all : 0) > view_began_;
 }
 
-float FacetCache::dark_share() const {
+float FacetCache::dark_share(bool fine) const {
     std::size_t seen = 0;
     for (const Group& group : groups_) seen += in_view(group) ? group.corners.size() : 0;
-    const auto is_dark = [&](std::uint32_t corner) { return !corners_[corner].lit && in_view(groups_[corners_[corner].group]); };
+    const auto is_dark = [&](std::uint32_t corner) { return !corners_[corner].lit && (fine || !corners_[corner].fine) && in_view(groups_[corners_[corner].group]); };
     return seen == 0 ? 1.0f : static_cast<float>(std::ranges::count_if(unfinished_, is_dark)) / static_cast<float>(seen);
 }
 

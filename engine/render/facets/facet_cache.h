@@ -61,6 +61,7 @@ class FacetCache {
         bool done = false;
         bool gone = false;  ///< nobody has it, and its place may be taken
         bool to_stay = false;          ///< a facet that has it shows it for good
+        bool fine = false;             ///< until it has light, that of a coarser facet shows
         bool stands_in = false;        ///< first of those without light
         std::uint32_t users = 0;       ///< facets that have it
         FacetName shared_as = 0;       ///< its name in shared_corners_; 0: none
@@ -133,6 +134,7 @@ class FacetCache {
         std::uint32_t number = 0;  ///< which pixel of each square
         std::uint32_t margin = 0;  ///< squares beyond the picture's edge
         bool half = false;         ///< every other square
+        bool finer = true;         ///< what it meets may ask for finer facets
         double longest = 0.0;      ///< s that what it meets may take, 0: however long; what is left is met by later looks
     };
     /// Along rays that pass through one of the boxes, or all where there are none. Returns the share of squares in which a ray
@@ -178,8 +180,9 @@ class FacetCache {
     void fill_table();
     float share_known() const;
     bool in_view(const Group& group) const;
-    /// Of the corners in view, those without light.
-    float dark_share() const;
+    /// Of the corners in view, those without light; `fine`: also where that of coarser facets shows.
+    float dark_share(bool fine) const;
+    static constexpr float a_little_dark = 0.03f;  ///< which a camera that moves always meets
 
     std::unique_ptr<TransportWorld> world_;
     std::unique_ptr<Patches> patches_;
@@ -227,6 +230,7 @@ class FacetCache {
     std::uint32_t looks_ = 0;      ///< since the camera or the scene changed
     std::uint32_t all_looks_ = 0;  ///< ever
     std::uint32_t view_began_ = 0;  ///< the last of all looks before the camera came to where it is
+    float dark_ = 1.0f;  ///< dark_share of the last frame, fine ones as well
     bool other_spacing_ = false;  ///< than in the last frame
     FrameParams seen_{};
     WorkTimes times_;

@@ -91,6 +91,7 @@ void FacetCache::add(std::span<const Wanted> wanted) {
         if (facet->cut && facet->depth > 0) {
             // A good square is no more to be had, and one place must do.
             facet->corners.fill(add_corner({.point = facet->middle}, finest_patch, group));
+            corners_[facet->corners[0]].fine = true;
         } else {
             for (std::uint32_t corner = 0; corner < 4; ++corner) {
                 const FacetName shared_name = corner_name(name, uvec2(corner & 1, corner >> 1));
@@ -101,6 +102,7 @@ void FacetCache::add(std::span<const Wanted> wanted) {
                 }
                 const std::uint32_t id = facet->corners[corner] = add_corner(*corners[corner], finest_patch, group);
                 corners_[id].stands_in = facet->stand_in;
+                corners_[id].fine = facet->depth > 0;
                 if (!corners[corner]->shared) continue;
                 shared_corners_.emplace(shared_name, id);
                 corners_[id].shared_as = shared_name;

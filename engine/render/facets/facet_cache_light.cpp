@@ -73,14 +73,14 @@ std::size_t FacetCache::put_urgent_first() {
     // has gone round once.
     const auto urgency = [&](std::uint32_t number) -> std::size_t {
         const Corner& corner = corners_[number];
-        if (!in_view(groups_[corner.group])) return 3;
-        return !corner.at.by_chance.empty() ? 2 : corner.stands_in ? 0 : 1;
+        if (!in_view(groups_[corner.group])) return 4;
+        return !corner.at.by_chance.empty() ? 3 : corner.stands_in ? 0 : !corner.fine ? 1 : 2;
     };
-    std::array<std::vector<std::uint32_t>, 4> by_urgency;
+    std::array<std::vector<std::uint32_t>, 5> by_urgency;
     for (const std::uint32_t corner : unfinished_) by_urgency[urgency(corner)].push_back(corner);
     unfinished_.clear();
     for (const auto& corners : by_urgency) unfinished_.insert(unfinished_.end(), corners.begin(), corners.end());
-    return by_urgency[0].size() + by_urgency[1].size();
+    return by_urgency[0].size() + by_urgency[1].size() + by_urgency[2].size();
 }
 
 void FacetCache::mend(const Deadline& deadline) {

@@ -98,9 +98,16 @@ float FacetCache::look_around(const FrameParams& frame, const Facets& settings, 
     // Nor do those that meet facets of another width.
     if (deadline.none() && (squares.x * squares.y * elsewhere < 1.0f || other_spacing_)) most = all;
     float fresh = 0.0f;
-    for (std::uint32_t i = 0; i < most && looks_ < all && !deadline.passed(looking_takes); ++i) {
+    // In a window the first one is half of one, and nobody waits for what is finer while places have no light at all.
+    const std::uint32_t last = deadline.none() ? all : all + 1;
+    for (std::uint32_t i = 0; i < most && looks_ < last && !deadline.passed(looking_takes); ++i) {
         // A camera that moves sees what it missed a frame later; at every other square it is asked in turn.
-        const Look what{.number = all_looks_++ % all, .margin = deadline.none() ? 0 : beyond_the_edge, .half = looks_ == 0 && !deadline.none(), .longest = deadline.none() ? 0.0 : longest_look};
+        const bool moves = looks_ == 0 && !deadline.none();
+        const Look what{.number = all_looks_++ % all,
+                        .margin = deadline.none() ? 0 : beyond_the_edge,
+                        .half = moves,
+                        .finer = !moves || dark_ <= a_little_dark,
+                        .longest = deadline.none() ? 0.0 : longest_look};
         ++looks_;
         fresh = look(frame, settings, what);
         if (deadline.none() && fresh > elsewhere) most = all;
@@ -111,7 +118,7 @@ float FacetCache::look_around(const FrameParams& frame, const Facets& settings, 
 std::uint32_t FacetCache::all_looks(const Facets& settings) { return looks_per_side(settings) * looks_per_side(settings); }
 
 void FacetCache::look_at(const FrameParams& frame, const Facets& settings, const std::vector<Bounds>& where, std::uint32_t looks) {
-    for (std::uint32_t i = 0; i < std::min(looks, all_looks(settings)); ++i) look(frame, settings, {.number = i}, where);
+    for (std::uint32_t i = 0; i < std::min(looks, all_looks(settings)); ++i) look(frame, settings, {.number = i, .finer = looks >= all_looks(settings)}, where);
 }
 
 float FacetCache::look(const FrameParams& frame, const Facets& settings, const Look& what, const std::vector<Bounds>& where) {
@@ -157,7 +164,7 @@ float FacetCache::look(const FrameParams& frame, const Facets& settings, const L
             known &= facet != facets_.end() && !facet->second.stand_in;
         }
         const float level = facet_level(distance, side);
-        if (!known || finer_at(point, level)) unknown[number] = Seen{point, level, near, far, coarse, !known};
+        if (!known || (what.finer && finer_at(point, level))) unknown[number] = Seen{point, level, near, far, coarse, !known};
     });
     const auto known = static_cast<std::ptrdiff_t>(unfinished_.size());
     std::size_t fresh = 0;
@@ -181,7 +188,7 @@ float FacetCache::look(const FrameParams& frame, const Facets& settings, const L
         }
         add(wanted);
         // Down to the finest, each of which is asked for by the one before it.
-        while (!batch.empty()) {
+        while (what.finer && !batch.empty()) {
             wanted.clear();
             std::erase_if(batch, [&](const Seen& seen) {
                 const auto finer = finer_at(seen.point, seen.level);
