@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace sl {
 
@@ -16,6 +17,8 @@ constexpr std::uint32_t smooth_splits = 3;
 /// Of the lattice off a surface.
 constexpr float slabs_of_a_side = 8.0f;
 constexpr float glaring = 3.0f;
+/// In a facet that is being made.
+constexpr std::uint32_t no_corner = ~0u;
 /// A group of corners lies in a square of 8 by 8 facets.
 constexpr float group_level = 3.0f;
 
@@ -67,9 +70,9 @@ void FacetCache::add(std::span<const Wanted> wanted) {
         const auto [entry, is_fresh] = facets_.try_emplace(name);
         Facet& facet = entry->second;
         if (is_fresh) {
-            facet = {.middle = it.point, .level = it.level, .depth = it.depth, .stand_in = it.stand_in, .root = it.root != 0 ? it.root : name, .seen = all_looks_};
+            facet = {.middle = it.point, .level = it.level, .depth = it.depth, .corners = {no_corner}, .stand_in = it.stand_in, .root = it.root != 0 ? it.root : name, .seen = all_looks_};
             fresh.push_back({name, &facet, {}});
-        } else if (!it.stand_in && std::exchange(facet.stand_in, false)) {
+        } else if (!it.stand_in && std::exchange(facet.stand_in, false) && facet.corners[0] != no_corner) {
             ask_for_finer(name, facet);
         }
     }
@@ -121,8 +124,7 @@ void FacetCache::ask_for_finer(FacetName name, Facet& facet) {
         unsplit_.push_back(name);
         for (const std::uint32_t number : facet.corners) {
             Corner& corner = corners_[number];
-            corner.to_stay = true;
-            if (std::exchange(corner.done, false)) unfinished_.push_back(number);
+            if (!std::exchange(corner.to_stay, true) && std::exchange(corner.done, false)) unfinished_.push_back(number);
         }
     }
     table_is_old_ = shown_are_old_ = true;
