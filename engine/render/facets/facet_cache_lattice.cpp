@@ -84,13 +84,13 @@ void FacetCache::add(std::span<const Wanted> wanted) {
             const uvec2 lattice(corner & 1, corner >> 1);
             if (shared_corners_.contains(corner_name(name, lattice))) continue;
             fresh[i].corners[corner] = facet_corner(world_->scene, facet->middle, facet->level, within, vec2(lattice));
-            facet->cut |= fresh[i].corners[corner]->cut;
         }
     });
     for (const auto& [name, facet, corners] : fresh) {
         const float depth = static_cast<float>(facet->depth), group = facet->level + group_level + (facet->stand_in ? -stand_in_coarser : depth);
         // Corners of fine facets are so many that patches as fine as they are would take most of the time.
         const float finest_patch = facet->level - (facet->depth > 0 ? 0.0f : 1.0f);
+        for (std::uint32_t corner = 0; corner < 4; ++corner) facet->cut |= !shared_corners_.contains(corner_name(name, uvec2(corner & 1, corner >> 1))) && corners[corner]->cut;
         if (facet->cut && facet->depth > 0) {
             // A good square is no more to be had, and one place must do.
             facet->corners.fill(add_corner({.point = facet->middle}, finest_patch, group));

@@ -12,8 +12,6 @@ namespace sl {
 
 namespace {
 
-/// Rays of a look whose facets are made between two looks at the clock.
-constexpr std::size_t seen_at_once = 256;
 /// Pixels, per side of a square of the picture, through which the camera's rays go in as many looks.
 constexpr std::uint32_t most_looks_per_side = 8;
 /// Looks in a frame of a camera that stands still.
@@ -172,13 +170,14 @@ float FacetCache::look(const FrameParams& frame, const Facets& settings, const L
     // Where thousands of meshes lie in one place, a ray takes as long as thousands.
     const Deadline deadline(what.longest);
     std::erase(unknown, std::nullopt);
-    for (std::size_t first = 0; first < unknown.size(); first += seen_at_once) {
+    for (std::size_t first = 0, most = 1; first < unknown.size(); first += most, most *= 2) {
         if (first > 0 && deadline.passed()) {
             looks_ = 0;
             break;
         }
+        // Ever more between two looks at the clock.
         std::vector<Seen> batch;
-        for (std::size_t i = first; i < std::min(first + seen_at_once, unknown.size()); ++i) batch.push_back(*unknown[i]);
+        for (std::size_t i = first; i < std::min(first + most, unknown.size()); ++i) batch.push_back(*unknown[i]);
         wanted.clear();
         for (const Seen& seen : batch) {
             if (!seen.root) continue;

@@ -118,8 +118,10 @@ TEST(FacetCache, LooksThatAreCutShortMeetTheRestLater) {
     EXPECT_LT(names_of(cut.table()).size(), 10u);
     // Each look meets one place at least.
     for (int i = 0; i < 4000; ++i) (void)cut.update(builder.scene(), frame, settings, {.seconds = 1e-3, .longest_look = 1e-9});
-    // Which larger facets stand in for others depends on the order in which these are met.
-    EXPECT_NEAR(static_cast<double>(names_of(cut.table()).size()), static_cast<double>(all.size()), 0.03 * static_cast<double>(all.size()));
+    // Which larger facets stand in for others, and which are cut and have finer ones, depends on the order in which they are met.
+    const std::set<FacetName> met = names_of(cut.table());
+    const auto missed = std::ranges::count_if(all, [&](FacetName name) { return !met.contains(name); });
+    EXPECT_LT(static_cast<double>(missed), 0.05 * static_cast<double>(all.size()));
 }
 
 TEST(FacetCache, LightThatTurnsWhileLandComesIsFollowedInTheNextFrame) {

@@ -71,6 +71,22 @@ TEST_F(FacetsTest, AgreeWithThePathTracer) {
     EXPECT_LT(std::abs(errors.bias), 0.03);
 }
 
+TEST_F(FacetsTest, PixelsOfFineGeometryShowTheLightOfTheirOwnSurface) {
+    // A fence in the sun, whose slats and gaps are as wide as a pixel or two: each has a bright side and a dark one.
+    SceneBuilder builder;
+    builder.add({Shape::Kind::box, vec3(20, 0.5f, 20)}, at(vec3(0, -0.25f, 0)), vec3(0.6f));
+    builder.add({Shape::Kind::box, vec3(8, 3, 0.5f)}, at(vec3(0, 1.5f, -1.2f)), vec3(0.8f, 0.3f, 0.2f));
+    for (int i = -16; i <= 16; ++i) builder.add({Shape::Kind::box, vec3(0.06f, 1.6f, 0.2f)}, at(vec3(0.15f * static_cast<float>(i), 0.8f, 0)), vec3(0.7f));
+    builder.add({.kind = Light::Kind::directional, .direction = glm::normalize(vec3(1, -0.8f, -0.6f)), .intensity = vec3(1e5f), .casts_shadow = true, .bounces = true});
+    builder.scene().sky_radiance = vec3(2000.0f);
+    builder.look(vec3(1.5f, 1.2f, 3.5f), vec3(-0.4f, -0.1f, -1), vec3(0, 1, 0), 0.8f);
+    const Errors errors = errors_of(draw(builder.scene()), traced_picture({.name = "path_tracer", .transport = {.pixel_area = false}, .samples = 1024}, builder.scene(), size));
+    RecordProperty("nrmse", fmt::format("{:.4f}", errors.nrmse));
+    RecordProperty("bias", fmt::format("{:+.4f}", errors.bias));
+    EXPECT_LT(errors.nrmse, 0.10);
+    EXPECT_LT(std::abs(errors.bias), 0.03);
+}
+
 TEST_F(FacetsTest, OneReflectionIsThePathTracersFirstBounce) {
     SceneBuilder builder;
     build_rooms(builder);
