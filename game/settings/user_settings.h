@@ -22,7 +22,7 @@ struct PictureSettings {
     bool scene_field_of_view = true;
     float field_of_view = pi / 3.0f;
     double view_distance = 96.0;
-    double least_frame_rate = 15.0;
+    double least_frame_rate = 20.0;
 
     bool operator==(const PictureSettings&) const = default;
 };

@@ -25,7 +25,7 @@ struct TerrainStream {
 /// How much of endless terrains is there, and how it comes; a resource.
 struct TerrainView {
     double distance = 96.0;    ///< m; where a player has chosen, PictureSettings::view_distance counts instead
-    double least_rate = 15.0;  ///< frames per second, as ViewReach keeps them; likewise
+    double least_rate = 20.0;  ///< frames per second, as ViewReach keeps them; likewise
     /// All that is in view is there at the end of the system, as pictures need it that must come out the same each time.
     /// Otherwise job threads bring it while the game goes on.
     bool at_once = true;
