@@ -50,8 +50,8 @@ float FacetCache::update(const RenderScene& scene, const FrameParams& frame, con
         const float fresh = look_around(frame, settings, deadline, budget.longest_look);
         times_.done("look");
         // Not in a frame that took surfaces in as well: the next ones have the time.
-        dark_ = dark_share(true);
-        if (followed != Followed::in_passing) deadline.extend(longer_in_the_dark(std::max(fresh, dark_share(false)), a_little_dark));
+        dark_ = dark();
+        if (followed != Followed::in_passing) deadline.extend(longer_in_the_dark(std::max(fresh, dark_.black), a_little_dark));
         deadline.leave(least_work * budget.seconds);
         work(settings, deadline);
         split_where_needed();
@@ -75,11 +75,17 @@ bool FacetCache::in_view(const Group& group) const {
     return group.seen + (looks_ < looks_that_see_all ? looks_that_see_all : 0) > view_began_;
 }
 
-float FacetCache::dark_share(bool fine) const {
-    std::size_t seen = 0;
+FacetCache::Dark FacetCache::dark() const {
+    std::size_t seen = 0, unlit = 0, black = 0;
     for (const Group& group : groups_) seen += in_view(group) ? group.corners.size() : 0;
-    const auto is_dark = [&](std::uint32_t corner) { return !corners_[corner].lit && (fine || !corners_[corner].fine) && in_view(groups_[corners_[corner].group]); };
-    return seen == 0 ? 1.0f : static_cast<float>(std::ranges::count_if(unfinished_, is_dark)) / static_cast<float>(seen);
+    for (const std::uint32_t number : unfinished_) {
+        const Corner& corner = corners_[number];
+        if (corner.lit || !in_view(groups_[corner.group])) continue;
+        ++unlit;
+        if (!corner.fine) ++black;
+    }
+    if (seen == 0) return {};
+    return {.unlit = static_cast<float>(unlit) / static_cast<float>(seen), .black = static_cast<float>(black) / static_cast<float>(seen)};
 }
 
 float FacetCache::share_known() const {

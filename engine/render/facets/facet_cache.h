@@ -180,8 +180,12 @@ class FacetCache {
     void fill_table();
     float share_known() const;
     bool in_view(const Group& group) const;
-    /// Of the corners in view, those without light; `fine`: also where that of coarser facets shows.
-    float dark_share(bool fine) const;
+    /// Shares of the corners in view.
+    struct Dark {
+        float unlit = 1.0f;  ///< without light
+        float black = 1.0f;  ///< of these, where no coarser facet shows any
+    };
+    Dark dark() const;
     static constexpr float a_little_dark = 0.03f;  ///< which a camera that moves always meets
 
     std::unique_ptr<TransportWorld> world_;
@@ -230,7 +234,7 @@ class FacetCache {
     std::uint32_t looks_ = 0;      ///< since the camera or the scene changed
     std::uint32_t all_looks_ = 0;  ///< ever
     std::uint32_t view_began_ = 0;  ///< the last of all looks before the camera came to where it is
-    float dark_ = 1.0f;  ///< dark_share of the last frame, fine ones as well
+    Dark dark_;  ///< of the last frame
     bool other_spacing_ = false;  ///< than in the last frame
     FrameParams seen_{};
     WorkTimes times_;

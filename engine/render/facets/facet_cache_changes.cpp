@@ -241,7 +241,8 @@ std::vector<Bounds> FacetCache::forget_facets(const std::vector<Bounds>& boxes) 
         const vec3 centre = along_surface(facet.middle, facet.level, 0.5f - within);
         if (!box.grown(0.75f * side).contains(centre)) return false;
         const bool lost = box.contains(facet.middle.position) || std::ranges::any_of(facet.corners, [&](std::uint32_t corner) { return box.contains(corners_[corner].at.point.position); });
-        // Much larger ones have their corners where they had them, and finer ones are asked for where those differ.
+        // Much larger ones have their corners where they had them, and finer ones are asked for where those differ, or by what
+        // is seen of them where they are cut.
         if (!lost && side > 2.0f * box.radius()) {
             facet.split = facet.cut && facet.split;
             return false;

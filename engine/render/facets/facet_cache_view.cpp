@@ -104,7 +104,7 @@ float FacetCache::look_around(const FrameParams& frame, const Facets& settings, 
         const Look what{.number = all_looks_++ % all,
                         .margin = deadline.none() ? 0 : beyond_the_edge,
                         .half = moves,
-                        .finer = !moves || dark_ <= a_little_dark,
+                        .finer = !moves || dark_.unlit <= a_little_dark,
                         .longest = deadline.none() ? 0.0 : longest_look};
         ++looks_;
         fresh = look(frame, settings, what);
