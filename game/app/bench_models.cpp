@@ -20,7 +20,7 @@ json json_of(const ModelLoad& load) { return {{"load_s", load.load_s}, {"triangl
 
 json json_of(const CaptureCost& cost) { return {{"capture_s", cost.capture_s}, {"peak_mb", cost.peak_mb}}; }
 
-json json_of(const ModelErrors& errors) { return {{"nrmse", errors.nrmse}, {"bias", errors.bias}, {"reference_noise", errors.reference_noise}}; }
+json json_of(const ModelErrors& errors) { return {{"nrmse", errors.nrmse}, {"bias", errors.bias}, {"reference_noise", errors.reference_noise}, {"flip", errors.flip}}; }
 
 /// "box_textured/Box.glb" as the name of a folder.
 std::string folder_name(std::string model) {
@@ -65,15 +65,16 @@ void write_models_report(const ModelsFlags& flags, const json& rows) {
 }  // namespace
 
 std::string models_table(const json& rows) {
-    std::string text = "| model | triangles | to load, s | capture, s | peak memory, MB | NRMSE | bias | the reference's own noise |\n"
-                       "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n";
+    std::string text = "| model | triangles | to load, s | capture, s | peak memory, MB | NRMSE | bias | the reference's own noise | FLIP of the picture |\n"
+                       "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n";
     for (const json& row : rows) {
         text += fmt::format("| {} | {} | {} | {} | {} | ", in_a_cell(row["model"].get<std::string>()), cell(row, "triangles", 1.0, "{:.0f}"), cell(row, "load_s", 1.0, "{:.2f}"),
                             cell(row, "capture_s", 1.0, "{:.1f}"), cell(row, "peak_mb", 1.0, "{:.0f}"));
         if (row.contains("error")) {
-            text += fmt::format("{} | | |\n", in_a_cell(row["error"].get<std::string>()));
+            text += fmt::format("{} | | | |\n", in_a_cell(row["error"].get<std::string>()));
         } else {
-            text += fmt::format("{} | {} | {} |\n", cell(row, "nrmse", 100.0, "{:.1f} %"), cell(row, "bias", 100.0, "{:+.1f} %"), cell(row, "reference_noise", 100.0, "{:.1f} %"));
+            text += fmt::format("{} | {} | {} | {} |\n", cell(row, "nrmse", 100.0, "{:.1f} %"), cell(row, "bias", 100.0, "{:+.1f} %"), cell(row, "reference_noise", 100.0, "{:.1f} %"),
+                                cell(row, "flip", 1.0, "{:.3f}"));
         }
     }
     return text;
@@ -118,7 +119,7 @@ void add_bench_models_command(const Flags& bench, const GlobalFlags& global) {
     command.add("--folder", flags->folder, "Where report.json, report.md and the pictures go; references found there continue");
     command.footer("To load: until the model can be drawn. Capture: all that `capture` does, from starting to load to the written picture.\n"
                    "Error: of indirect irradiance, as NRMSE (root mean square error over the reference's mean) and bias (mean error over that\n"
-                   "mean), against path-traced full transport from the same camera.\n"
+                   "mean), against path-traced full transport from the same camera. FLIP: how different the pictures look, 0 to 1.\n"
                    "Exits with 1 where a model could not be measured.");
     command.runs([&global, flags] { return run_bench_models(global, *flags); });
 }

@@ -18,7 +18,7 @@ struct ModelsFlags {
 };
 
 /// Figures of all models as a table in Markdown. A row is {"model", "triangles", "load_s", "capture_s", "peak_mb", "nrmse", "bias",
-/// "reference_noise"}; where it has an "error", figures may be missing.
+/// "reference_noise", "flip"}; where it has an "error", figures may be missing.
 std::string models_table(const nlohmann::json& rows);
 
 /// Measures each model in processes of its own, and writes report.json, report.md and the pictures below the flags' folder.

@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "engine/core/error.h"
+#include "engine/measure/flip.h"
 #include "engine/measure/metrics.h"
 #include "game/app/bench_truth.h"
 #include "game/app/headless.h"
@@ -47,7 +48,7 @@ ModelErrors measure_model_errors(const GlobalFlags& global, const ModelPoint& po
     const FullTruth full = make_full_truth(choice, point.reference_size, point.spp, point.folder);
     write_png(point.folder / "beside_reference.png", side_by_side({drawn.picture, full.picture}, 4));
     const ErrorMetrics errors = image_errors(drawn.irradiance, full.truth.irradiance, full.mask);
-    return {.nrmse = errors.nrmse, .bias = errors.bias, .reference_noise = full.truth.noise};
+    return {.nrmse = errors.nrmse, .bias = errors.bias, .reference_noise = full.truth.noise, .flip = flip(drawn.picture, full.picture, full.mask).mean};
 }
 
 }  // namespace sl

@@ -34,6 +34,7 @@ CaptureCost measure_model_capture(const GlobalFlags& global, const ModelPoint& p
 struct ModelErrors {
     double nrmse = 0.0, bias = 0.0;
     double reference_noise = 0.0;  ///< NRMSE of the reference itself
+    double flip = 0.0;             ///< of the picture, against the reference's
 };
 /// Draws and traces the same small picture, and keeps both beside each other as beside_reference.png, and the reference, which
 /// goes on from there the next time.

@@ -58,15 +58,15 @@ TEST_F(FindModels, WhatIsNoModelIsTold) {
 
 TEST(ModelsTable, HasARowForEachWithWhatIsKnown) {
     const nlohmann::json rows{
-        {{"model", "box.glb"}, {"triangles", 12}, {"load_s", 0.034}, {"capture_s", 2.16}, {"peak_mb", 123.4}, {"nrmse", 0.0512}, {"bias", -0.004}, {"reference_noise", 0.01}},
+        {{"model", "box.glb"}, {"triangles", 12}, {"load_s", 0.034}, {"capture_s", 2.16}, {"peak_mb", 123.4}, {"nrmse", 0.0512}, {"bias", -0.004}, {"reference_noise", 0.01}, {"flip", 0.0123}},
         {{"model", "dark.glb"}, {"triangles", 1}, {"load_s", 0.0}, {"capture_s", 1.0}, {"peak_mb", 99.6}, {"nrmse", nullptr}, {"bias", nullptr}, {"reference_noise", 0.0}},
         {{"model", "slow.vox"}, {"triangles", 900}, {"load_s", 1.0}, {"capture_s", 9.0}, {"peak_mb", 300.0}, {"error", "the comparison took longer than 10 minutes"}},
         {{"model", "a|b.glb"}, {"error", "it is no glTF\nfile"}}};
     const std::string table = models_table(rows);
-    EXPECT_THAT(table, HasSubstr("\n| box.glb | 12 | 0.03 | 2.2 | 123 | 5.1 % | -0.4 % | 1.0 % |\n"));
-    EXPECT_THAT(table, HasSubstr("\n| dark.glb | 1 | 0.00 | 1.0 | 100 | – | – | 0.0 % |\n"));
-    EXPECT_THAT(table, HasSubstr("\n| slow.vox | 900 | 1.00 | 9.0 | 300 | the comparison took longer than 10 minutes | | |\n"));
-    EXPECT_THAT(table, HasSubstr("\n| a\\|b.glb | – | – | – | – | it is no glTF file | | |\n"));
+    EXPECT_THAT(table, HasSubstr("\n| box.glb | 12 | 0.03 | 2.2 | 123 | 5.1 % | -0.4 % | 1.0 % | 0.012 |\n"));
+    EXPECT_THAT(table, HasSubstr("\n| dark.glb | 1 | 0.00 | 1.0 | 100 | – | – | 0.0 % | – |\n"));
+    EXPECT_THAT(table, HasSubstr("\n| slow.vox | 900 | 1.00 | 9.0 | 300 | the comparison took longer than 10 minutes | | | |\n"));
+    EXPECT_THAT(table, HasSubstr("\n| a\\|b.glb | – | – | – | – | it is no glTF file | | | |\n"));
 }
 
 }  // namespace

@@ -42,6 +42,7 @@ TEST_F(BenchModels, MeasuresAndKeepsPictures) {
     EXPECT_GE(row["capture_s"].get<double>(), row["load_s"].get<double>());
     EXPECT_LT(row["nrmse"].get<double>(), 0.3);
     EXPECT_GT(row["reference_noise"].get<double>(), 0.0);
+    EXPECT_LT(row["flip"].get<double>(), 0.2);
     EXPECT_EQ(read_png(folder / "out/squares.gltf/capture.png").width, 48u);
     EXPECT_EQ(read_png(folder / "out/squares.gltf/beside_reference.png").width, 2u * 32u + 4u);
     EXPECT_THAT(read_text_file(folder / "out/report.md", 1u << 20), HasSubstr("| squares.gltf | 4 |"));

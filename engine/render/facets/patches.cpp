@@ -19,6 +19,15 @@ constexpr std::uint32_t place_seed = 2;
 /// of others. In the finest, which hold what is smaller than can matter by itself, the most alike of its patches stands for it.
 constexpr float most_halvings = 3.0f, most_halvings_of_others = 1.0f;
 constexpr float alike = 0.5f;  ///< cosine of what is
+/// What glows differs by at most this factor within a patch.
+constexpr float most_contrast = 4.0f;
+
+/// A lamp and the ceiling that it hangs below are two things: the mean of both is a lamp as large as the patch, whose
+/// shadows have no edges.
+bool glow_alike(const SurfacePoint& a, const SurfacePoint& b) {
+    const float one = luminance(a.emission), other = luminance(b.emission);
+    return std::max(one, other) <= most_contrast * std::min(one, other);
+}
 
 }  // namespace
 
@@ -44,7 +53,7 @@ void Patches::measure_world() {
 
 bool Patches::belongs(const SurfacePoint& point, const Patch& patch) const {
     const SurfacePoint& middle = patch.middle.point;
-    if (glm::dot(point.face, middle.face) < least_cosine) return false;
+    if (glm::dot(point.face, middle.face) < least_cosine || !glow_alike(point, middle)) return false;
     const vec3 offset = middle.position - point.position;
     if (std::abs(glm::dot(offset, middle.face)) > most_height * patch.side) return false;
     // Close to the surface, so that low things part patches as well as walls do.

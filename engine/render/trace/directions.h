@@ -38,9 +38,9 @@ struct DirectionSampler {
     DirectionSampler(const Surface& surface, vec3 to_eye_world, bool diffuse_only, float least_diffuse)
         : basis(basis_around(vec3(surface.normal))), to_eye(glm::transpose(basis) * to_eye_world) {
         const float metallic = surface.normal.w;
-        const bool matte = diffuse_only || glm::mix(surface.specular.x, 1.0f, metallic) <= 0.0f || to_eye.z <= 0.0f;
+        const bool matte = diffuse_only || specular_strength(surface) <= 0.0f || to_eye.z <= 0.0f;
         diffuse_share = matte ? 1.0f : std::max(least_diffuse, 0.5f * (1.0f - metallic));
-        alpha = std::max(surface.base_colour.w * surface.base_colour.w, 1e-3f);
+        alpha = ggx_alpha(surface.base_colour.w);
     }
 
     /// A unit direction in world space; it may point below the surface.

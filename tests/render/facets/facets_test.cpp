@@ -87,6 +87,25 @@ TEST_F(FacetsTest, PixelsOfFineGeometryShowTheLightOfTheirOwnSurface) {
     EXPECT_LT(std::abs(errors.bias), 0.03);
 }
 
+TEST_F(FacetsTest, ALampRightBelowACeilingIsAsSmallAsItIs) {
+    // From afar both lie in one cell of the lattice. A board between lamp and floor has a shadow with edges.
+    SceneBuilder builder;
+    builder.add({Shape::Kind::box, vec3(20, 0.5f, 20)}, at(vec3(0, -0.25f, 0)), vec3(0.6f));
+    builder.add({Shape::Kind::box, vec3(20, 0.5f, 20)}, at(vec3(0, 6.25f, 0)), vec3(0.6f));
+    builder.add({Shape::Kind::box, vec3(1.5f, 0.1f, 1.5f)}, at(vec3(0.2f, 2, 0)), vec3(0.6f));
+    Material lamp = SceneBuilder::matte(vec3(0));
+    lamp.emission = 1e4f;
+    builder.add(make_shape_mesh({Shape::Kind::box, vec3(0.8f, 0.02f, 0.8f)}), at(vec3(0.2f, 5.98f, 0)), lamp);
+    builder.look(vec3(3, 3, 3), vec3(-1, -0.9f, -1), vec3(0, 1, 0), 1.2f);
+    const Picture drawn = draw(builder.scene(), {.bounces = 0});
+    const Picture truth = traced_picture({.name = "path_tracer", .transport = {.bounces = 0, .pixel_area = false}, .samples = 256}, builder.scene(), size);
+    const Errors errors = errors_of(drawn, truth);
+    RecordProperty("nrmse", fmt::format("{:.4f}", errors.nrmse));
+    RecordProperty("bias", fmt::format("{:+.4f}", errors.bias));
+    EXPECT_LT(errors.nrmse, 0.12);
+    EXPECT_LT(std::abs(errors.bias), 0.03);
+}
+
 TEST_F(FacetsTest, OneReflectionIsThePathTracersFirstBounce) {
     SceneBuilder builder;
     build_rooms(builder);
