@@ -24,20 +24,27 @@ bool any(World& world) {
     return found;
 }
 
-/// Whether anything that is shown is made of such a material: blocks that glow are in the table of every world.
-template <class Predicate>
-bool shows(World& world, const Predicate& is_such) {
+/// The greatest that a function of materials is of those that are shown, from 0: blocks that glow are in the table of every world.
+template <class F>
+float greatest_shown(World& world, const F& of) {
     const auto& entries = world.resource<MaterialTable>().entries;
     // Many entities may show one mesh.
     std::set<std::pair<MeshHandle, std::int32_t>> shown;
     Query<const MeshInstance>(world).each([&](const MeshInstance& instance) { shown.emplace(instance.mesh, instance.first_material); });
-    return std::ranges::any_of(shown, [&](const auto& one) {
-        const auto row = static_cast<std::size_t>(std::max(one.second, 0));
-        return std::ranges::any_of(world.resource<MeshPool>().at(one.first).vertices, [&](const Vertex& vertex) {
-            const std::size_t used = row + vertex.material;
-            return used < entries.size() && is_such(entries[used]);
-        });
-    });
+    float greatest = 0.0f;
+    for (const auto& [mesh, first] : shown) {
+        const auto row = static_cast<std::size_t>(std::max(first, 0));
+        for (const Vertex& vertex : world.resource<MeshPool>().at(mesh).vertices) {
+            if (row + vertex.material < entries.size()) greatest = std::max(greatest, of(entries[row + vertex.material]));
+        }
+    }
+    return greatest;
+}
+
+/// nit, of its strongest channel.
+float glow_of(const MaterialEntry& entry) {
+    const vec3 colour = entry.material.emission_colour;
+    return entry.unlit ? 0.0f : entry.material.emission * std::max({colour.x, colour.y, colour.z});
 }
 
 /// From a little above and to the right, just so far off that the corners of a box round everything fit in a picture of 3 : 2 or wider.
@@ -93,9 +100,9 @@ void complete_model_scene(App& app) {
     World& world = app.world;
     const std::filesystem::path path = world.resource<SceneInfo>().path;
     const Bounds bounds = bounds_of_meshes(world);
-    const bool lit = any<DirectionalLight>(world) || any<SpotLight>(world) || any<PointLight>(world) ||
-                     shows(world, [](const MaterialEntry& entry) { return !entry.unlit && entry.material.emission > 0.0f; });
-    if (!lit) {
+    const bool lamps = any<DirectionalLight>(world) || any<SpotLight>(world) || any<PointLight>(world);
+    const float glow = greatest_shown(world, glow_of);
+    if (!lamps && glow <= 0.0f) {
         log::info("{}: it has no light, so a sun and a sky were added", path.string());
         // Over the left shoulder of the camera below, so that what it sees is lit.
         world.create(Name{"sun"}, Transform{}, DirectionalLight{.colour = vec3(1.0f, 0.96f, 0.9f)}, SunAngles{.azimuth = 3.5f, .elevation = 0.8f});
@@ -110,8 +117,9 @@ void complete_model_scene(App& app) {
     auto& view = world.get<Camera>(camera);
     view.active = true;
     // What is unlit has its colours at the exposure that is set.
-    view.auto_exposure = shows(world, [](const MaterialEntry& entry) { return !entry.unlit; });
-    view.ev100 = lit ? lamplight_ev100 : daylight_ev100;
+    view.auto_exposure = greatest_shown(world, [](const MaterialEntry& entry) { return entry.unlit ? 0.0f : 1.0f; }) > 0.0f;
+    // Eyes that have adapted to a glow see it as white, be it as faint as a file's that says nothing of its strength: 1 nit.
+    view.ev100 = lamps ? lamplight_ev100 : glow > 0.0f ? std::clamp(std::log2(glow), -5.0f, lamplight_ev100) : daylight_ev100;
     world.add(camera, GiSettings{make_gi_method("facets")});
 }
 

@@ -57,8 +57,8 @@ std::map<std::string, double> parts_of(BenchWindow& window, double milliseconds)
 /// Where the time of all frames went, and that of the frames that a player notices.
 class FrameParts {
   public:
-    void add(double milliseconds, const std::map<std::string, double>& parts) {
-        Frame& frame = frames_.emplace_back(Frame{.milliseconds = milliseconds});
+    void add(double milliseconds, const ProcessUse& use, const std::map<std::string, double>& parts) {
+        Frame& frame = frames_.emplace_back(Frame{.milliseconds = milliseconds, .use = use});
         for (const auto& [name, part] : parts) {
             const std::size_t row = rows_.try_emplace(name, rows_.size()).first->second;
             if (frame.parts.size() <= row) frame.parts.resize(row + 1, absent);
@@ -75,7 +75,8 @@ class FrameParts {
             std::vector<std::pair<double, std::string>> more;
             for (const auto& [name, row] : rows_) more.emplace_back(frames_[number].at(row) - mean(row, frames_), name);
             std::ranges::sort(more, std::greater{});
-            fmt::print("\nframe {}: {:.0f} ms; over the mean:", number + 1, frames_[number].milliseconds);
+            const Frame& frame = frames_[number];
+            fmt::print("\nframe {}: {:.0f} ms, {:.0f} of a processor, {} pages from disk; over the mean:", number + 1, frame.milliseconds, 1e3 * frame.use.seconds, frame.use.from_disk);
             for (const auto& [excess, name] : more | std::views::take(4)) fmt::print(" {} +{:.0f}", name, excess);
             any = true;
         }
@@ -98,6 +99,7 @@ class FrameParts {
     static constexpr float absent = -1.0f;
     struct Frame {
         double milliseconds;
+        ProcessUse use;              ///< in this frame
         std::vector<float> parts{};  ///< by their rows
 
         double at(std::size_t row) const { return row < parts.size() && parts[row] != absent ? static_cast<double>(parts[row]) : 0.0; }
@@ -127,11 +129,13 @@ int run_flight(const GlobalFlags& global, const FlightFlags& flags) {
     double part_end = part;
     for (const auto start = Watch::now(); seconds_since(start) < flags.seconds;) {
         const auto frame_start = Watch::now();
+        const ProcessUse before = process_use();
         window.draw(false);
         // A window waits here as well.
         glFinish();
         frames.push_back(seconds_since(frame_start));
-        parts.add(1e3 * frames.back(), parts_of(window, 1e3 * frames.back()));
+        const ProcessUse after = process_use();
+        parts.add(1e3 * frames.back(), {.seconds = after.seconds - before.seconds, .from_disk = after.from_disk - before.from_disk}, parts_of(window, 1e3 * frames.back()));
         all.push_back(frames.back());
         world.resource<FrameClock>().step = frames.back();
         world.get<Transform>(active_camera(world)).translation.x += flags.speed * frames.back();

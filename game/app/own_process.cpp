@@ -4,6 +4,7 @@
 #include <malloc.h>
 #include <poll.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -118,6 +119,13 @@ double peak_megabytes() {
         if (line.starts_with("VmHWM:")) return 1.024e-3 * std::stod(line.substr(line.find(':') + 1));
     }
     return resident_megabytes();
+}
+
+ProcessUse process_use() {
+    rusage use{};
+    getrusage(RUSAGE_SELF, &use);
+    const auto seconds = [](const timeval& time) { return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec); };
+    return {.seconds = seconds(use.ru_utime) + seconds(use.ru_stime), .from_disk = use.ru_majflt};
 }
 
 double allocated_megabytes() {

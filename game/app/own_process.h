@@ -32,4 +32,11 @@ double peak_megabytes();
 /// What of it was asked for and not given back, in MB of 10⁶ bytes; the rest is kept by the allocator, and code.
 double allocated_megabytes();
 
+/// What this process has had of its machine, all threads together.
+struct ProcessUse {
+    double seconds = 0.0;  ///< of processors: a frame that took longer than this waited for somebody
+    long from_disk = 0;    ///< pages that had to be read
+};
+ProcessUse process_use();
+
 }  // namespace sl

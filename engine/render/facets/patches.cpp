@@ -24,10 +24,7 @@ constexpr float most_contrast = 4.0f;
 
 /// A lamp and the ceiling that it hangs below are two things: the mean of both is a lamp as large as the patch, whose
 /// shadows have no edges.
-bool glow_alike(const SurfacePoint& a, const SurfacePoint& b) {
-    const float one = luminance(a.emission), other = luminance(b.emission);
-    return std::max(one, other) <= most_contrast * std::min(one, other);
-}
+bool glow_alike(float one, float other) { return std::max(one, other) <= most_contrast * std::min(one, other); }
 
 }  // namespace
 
@@ -51,14 +48,16 @@ void Patches::measure_world() {
     coarsest_ = facet_level(glm::length(bounds.high - bounds.low), 1.0f / 16.0f);
 }
 
-bool Patches::belongs(const SurfacePoint& point, const Patch& patch) const {
-    const SurfacePoint& middle = patch.middle.point;
-    if (glm::dot(point.face, middle.face) < least_cosine || !glow_alike(point, middle)) return false;
-    const vec3 offset = middle.position - point.position;
-    if (std::abs(glm::dot(offset, middle.face)) > most_height * patch.side) return false;
+Patches::Mark::Mark(const Patch& patch)
+    : position(patch.middle.point.position), side(patch.side), face(patch.middle.point.face), error(patch.middle.point.error), glow(luminance(patch.middle.point.emission)) {}
+
+bool Patches::belongs(const SurfacePoint& point, const Mark& mark) const {
+    if (glm::dot(point.face, mark.face) < least_cosine || !glow_alike(luminance(point.emission), mark.glow)) return false;
+    const vec3 offset = mark.position - point.position;
+    if (std::abs(glm::dot(offset, mark.face)) > most_height * mark.side) return false;
     // Close to the surface, so that low things part patches as well as walls do.
-    const vec3 from = point.position + point.face * (0.02f * patch.side + point.error);
-    const vec3 to = middle.position + middle.face * (0.02f * patch.side + middle.error);
+    const vec3 from = point.position + point.face * (0.02f * mark.side + point.error);
+    const vec3 to = mark.position + mark.face * (0.02f * mark.side + mark.error);
     return !world_.scene.occluded({.origin = from, .direction = to - from, .farthest = 1.0f});
 }
 
@@ -68,8 +67,8 @@ std::uint32_t Patches::find(const SurfacePoint& point, float level, bool sharp) 
         const auto first = first_.find(facet_name(facet_cell(point.position, point.normal(), level - finer)));
         if (first == first_.end()) return nothing;
         int count = 0;
-        for (std::uint32_t id = first->second; id != nothing; id = patches_[id].next, ++count) {
-            if (belongs(point, patches_[id])) return id;
+        for (std::uint32_t id = first->second; id != nothing; id = marks_[id].next, ++count) {
+            if (belongs(point, marks_[id])) return id;
         }
         // Where a cell's surfaces do not see each other, smaller ones do.
         if (count < most_in_a_cell) return nothing;
@@ -81,11 +80,11 @@ std::uint32_t Patches::find(const SurfacePoint& point, float level, bool sharp) 
 std::uint32_t Patches::most_alike(const SurfacePoint& point, std::uint32_t first) const {
     std::uint32_t best = nothing;
     float closest = alike;
-    for (std::uint32_t id = first; id != nothing; id = patches_[id].next) {
-        const SurfacePoint& middle = patches_[id].middle.point;
+    for (std::uint32_t id = first; id != nothing; id = marks_[id].next) {
+        const Mark& mark = marks_[id];
         // A side apart counts as much as a right angle.
-        const float likeness = glm::dot(point.face, middle.face) - glm::length(point.position - middle.position) / patches_[id].side;
-        if (glm::dot(point.face, middle.face) < alike || (best != nothing && likeness <= closest)) continue;
+        const float likeness = glm::dot(point.face, mark.face) - glm::length(point.position - mark.position) / mark.side;
+        if (glm::dot(point.face, mark.face) < alike || (best != nothing && likeness <= closest)) continue;
         closest = likeness;
         best = id;
     }
@@ -96,7 +95,7 @@ std::uint32_t Patches::add(const SurfacePoint& point, float level, bool sharp) {
     const auto in_cell = [&](FacetName name) {
         const auto first = first_.find(name);
         int count = 0;
-        if (first != first_.end()) for (std::uint32_t id = first->second; id != nothing; id = patches_[id].next) ++count;
+        if (first != first_.end()) for (std::uint32_t id = first->second; id != nothing; id = marks_[id].next) ++count;
         return count;
     };
     FacetName name = facet_name(facet_cell(point.position, point.normal(), level));
@@ -116,8 +115,9 @@ std::uint32_t Patches::add(const SurfacePoint& point, float level, bool sharp) {
     patch.side = std::exp2(level);
     const vec2 within(facet_cell(point.position, point.normal(), level).within);
     places_[id] = vec4(along_surface(point, level, 0.5f - within), patch.side);
+    marks_[id] = Mark(patch);
     const auto [first, fresh] = first_.try_emplace(name, id);
-    if (!fresh) patch.next = std::exchange(first->second, id);
+    if (!fresh) marks_[id].next = std::exchange(first->second, id);
     patch.waiting = true;
     dark_.push_back(id);
     ungrown_.push_back(id);
@@ -132,6 +132,7 @@ std::uint32_t Patches::place_for_one_more() {
         return id;
     }
     patches_.emplace_back();
+    marks_.emplace_back();
     reflected_.push_back(vec3(0.0f));
     seen_.push_back(vec3(0.0f));
     places_.emplace_back();
@@ -142,18 +143,19 @@ void Patches::remove_from_cell(std::uint32_t id) {
     const auto first = first_.find(patches_[id].cell);
     if (first == first_.end()) return;
     std::uint32_t* at = &first->second;
-    while (*at != nothing && *at != id) at = &patches_[*at].next;
-    if (*at == id) *at = patches_[id].next;
+    while (*at != nothing && *at != id) at = &marks_[*at].next;
+    if (*at == id) *at = marks_[id].next;
     if (first->second == nothing) first_.erase(first);
 }
 
 std::size_t Patches::memory() const {
     // Those of one kind differ little in what they hold.
-    return (patches_.size() - gone_.size() - free_.size()) * (sizeof(Patch) + links_of_a_patch * sizeof(Link) + few_strata * few_strata * sizeof(Sample));
+    return (patches_.size() - gone_.size() - free_.size()) * (sizeof(Patch) + sizeof(Mark) + links_of_a_patch * sizeof(Link) + few_strata * few_strata * sizeof(Sample));
 }
 
 void Patches::spread_samples(Patch& patch, std::uint32_t strata) const {
     const SurfacePoint& middle = patch.middle.point;
+    const Mark mark(patch);
     const vec2 within(facet_cell(middle.position, middle.normal(), patch.level).within);
     patch.strata = strata;
     patch.samples.clear();
@@ -166,7 +168,7 @@ void Patches::spread_samples(Patch& patch, std::uint32_t strata) const {
         const auto hit = world_.scene.intersect({.origin = place + height * middle.face, .direction = -middle.face, .farthest = 2.0f * height});
         if (!hit || !hit->front) continue;
         const SurfacePoint point = world_.scene.surface_at(*hit);
-        if (!belongs(point, patch)) continue;
+        if (!belongs(point, mark)) continue;
         patch.samples.emplace_back(point);
         emission += point.emission;
     }

@@ -156,7 +156,6 @@ class Patches {
         vec3 albedo{0.0f};
         vec3 lit{0.0f};       ///< radiosity without that of indirect light, lux
         vec3 glow{0.0f};      ///< what it gives out of itself, lux
-        std::uint32_t next = nothing;  ///< another one in the same cell
         vec3 bright_place{0.0f};  ///< middle of what of it is lit
         float bright_radius = 0.0f;
         std::uint32_t strata = 0;  ///< per side, of the samples
@@ -168,6 +167,18 @@ class Patches {
 
         bool knows(const Sample& sample) const { return sample.lit_in == light; }
         void forget_light();
+    };
+    /// What tells which points are a patch's, apart from all else that it knows: a search in a cell reads no more.
+    struct Mark {
+        vec3 position{0.0f};  ///< the patch's own point, its face and rounding error
+        float side = 0.0f;
+        vec3 face{0.0f};
+        float error = 0.0f;
+        float glow = 0.0f;             ///< nit
+        std::uint32_t next = nothing;  ///< another one in the same cell
+
+        Mark() = default;
+        explicit Mark(const Patch& patch);
     };
     /// What a ray met.
     struct Met {
@@ -224,7 +235,7 @@ class Patches {
     std::uint32_t most_alike(const SurfacePoint& point, std::uint32_t first) const;
     std::uint32_t add(const SurfacePoint& point, float level, bool sharp);
     std::uint32_t place_for_one_more();
-    bool belongs(const SurfacePoint& point, const Patch& patch) const;
+    bool belongs(const SurfacePoint& point, const Mark& mark) const;
     void spread_samples(Patch& patch, std::uint32_t strata) const;
     /// What rays from a light have found on a patch.
     struct Narrow {
@@ -248,6 +259,7 @@ class Patches {
     const TransportWorld& world_;
     float coarsest_ = 0.0f;  ///< level of the largest patches that others ask for whatever the distance
     std::deque<Patch> patches_;
+    std::vector<Mark> marks_;
     std::vector<vec3> reflected_;  ///< per patch, radiosity, lux; what other patches gather: what glows has lit them already
     std::vector<vec3> seen_;       ///< the same with its own glow
     std::vector<vec4> places_;     ///< middle of the cell and side; side -1: gone. All that most of them are asked for after changes

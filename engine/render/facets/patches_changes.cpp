@@ -66,6 +66,7 @@ void Patches::move(vec3 offset) {
         if (patch.gone) return;
         patch.cell = facet_name_moved(patch.cell, offset);
         patch.middle.point.position += offset;
+        marks_[id].position += offset;
         patch.bright_place += offset;
         for (Sample& sample : patch.samples) sample.position += offset;
         places_[id] += vec4(offset, 0.0f);

@@ -43,6 +43,7 @@ Patches::Narrow Patches::light_narrowly(std::uint32_t number, const Patch& patch
     const mat3 around = basis_around(light.kind.x == light_spot ? vec3(light.direction) : patch.middle.point.face);
     // Lumen that a ray carries at the full intensity.
     const vec3 flux = vec3(light.intensity) * (2.0f * pi * versine / static_cast<float>(rays_of_a_light));
+    const Mark mark(patch);
     Narrow result;
     for (std::uint32_t i = 0; i < rays_of_a_light; ++i) {
         const vec2 xi = SampleSequence(narrow_seed, uvec2(static_cast<std::uint32_t>(patch.cell), number), i).pair();
@@ -50,7 +51,7 @@ Patches::Narrow Patches::light_narrowly(std::uint32_t number, const Patch& patch
         const auto hit = world_.scene.intersect({.origin = vec3(light.position), .direction = direction});
         if (!hit || !hit->front) continue;
         const SurfacePoint point = world_.scene.surface_at(*hit);
-        if (facet_name(facet_cell(point.position, point.normal(), patch.level)) != patch.cell || !belongs(point, patch)) continue;
+        if (facet_name(facet_cell(point.position, point.normal(), patch.level)) != patch.cell || !belongs(point, mark)) continue;
         const float falloff = light.kind.x == light_spot ? cone_falloff(light.cone, vec3(light.direction), direction) : 1.0f;
         const vec3 reflected = mean_albedo(point.surface) * flux * (falloff * range_window(hit->distance * hit->distance, light.position.w));
         result.flux += reflected;
