@@ -57,8 +57,9 @@ std::map<std::string, double> parts_of(BenchWindow& window, double milliseconds)
 /// Where the time of all frames went, and that of the frames that a player notices.
 class FrameParts {
   public:
-    void add(double milliseconds, const ProcessUse& use, const std::map<std::string, double>& parts) {
-        Frame& frame = frames_.emplace_back(Frame{.milliseconds = milliseconds, .use = use});
+    /// `place`: m along the way.
+    void add(double place, double milliseconds, const ProcessUse& use, const std::map<std::string, double>& parts) {
+        Frame& frame = frames_.emplace_back(Frame{.place = place, .milliseconds = milliseconds, .use = use});
         for (const auto& [name, part] : parts) {
             const std::size_t row = rows_.try_emplace(name, rows_.size()).first->second;
             if (frame.parts.size() <= row) frame.parts.resize(row + 1, absent);
@@ -76,8 +77,9 @@ class FrameParts {
             for (const auto& [name, row] : rows_) more.emplace_back(frames_[number].at(row) - mean(row, frames_), name);
             std::ranges::sort(more, std::greater{});
             const Frame& frame = frames_[number];
-            fmt::print("\nframe {}: {:.0f} ms, {:.0f} of a processor, {} pages from disk; over the mean:", number + 1, frame.milliseconds, 1e3 * frame.use.seconds, frame.use.from_disk);
-            for (const auto& [excess, name] : more | std::views::take(4)) fmt::print(" {} +{:.0f}", name, excess);
+            fmt::print("\nframe {}, at {:.0f} m: {:.0f} ms; processors {:.0f} ms, of which the system {:.0f}; {} pages, of which from disk {}; over the mean:", number + 1, frame.place, frame.milliseconds,
+                       1e3 * frame.use.seconds, 1e3 * frame.use.in_system, frame.use.pages, frame.use.from_disk);
+            for (const auto& [excess, name] : more | std::views::take(8)) fmt::print(" {} +{:.0f}", name, excess);
             any = true;
         }
         fmt::print("{}\n", any ? "" : " none");
@@ -98,6 +100,7 @@ class FrameParts {
     static constexpr double noticed = 250.0;
     static constexpr float absent = -1.0f;
     struct Frame {
+        double place;                ///< m along the way
         double milliseconds;
         ProcessUse use;              ///< in this frame
         std::vector<float> parts{};  ///< by their rows
@@ -134,8 +137,7 @@ int run_flight(const GlobalFlags& global, const FlightFlags& flags) {
         // A window waits here as well.
         glFinish();
         frames.push_back(seconds_since(frame_start));
-        const ProcessUse after = process_use();
-        parts.add(1e3 * frames.back(), {.seconds = after.seconds - before.seconds, .from_disk = after.from_disk - before.from_disk}, parts_of(window, 1e3 * frames.back()));
+        parts.add(world.get<Transform>(active_camera(world)).translation.x, 1e3 * frames.back(), process_use() - before, parts_of(window, 1e3 * frames.back()));
         all.push_back(frames.back());
         world.resource<FrameClock>().step = frames.back();
         world.get<Transform>(active_camera(world)).translation.x += flags.speed * frames.back();

@@ -125,7 +125,7 @@ ProcessUse process_use() {
     rusage use{};
     getrusage(RUSAGE_SELF, &use);
     const auto seconds = [](const timeval& time) { return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec); };
-    return {.seconds = seconds(use.ru_utime) + seconds(use.ru_stime), .from_disk = use.ru_majflt};
+    return {.seconds = seconds(use.ru_utime) + seconds(use.ru_stime), .in_system = seconds(use.ru_stime), .pages = use.ru_minflt + use.ru_majflt, .from_disk = use.ru_majflt};
 }
 
 double allocated_megabytes() {

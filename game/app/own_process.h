@@ -34,9 +34,15 @@ double allocated_megabytes();
 
 /// What this process has had of its machine, all threads together.
 struct ProcessUse {
-    double seconds = 0.0;  ///< of processors: a frame that took longer than this waited for somebody
-    long from_disk = 0;    ///< pages that had to be read
+    double seconds = 0.0;    ///< of processors: a frame that took longer than this waited for somebody
+    double in_system = 0.0;  ///< of these, spent by the system for it
+    long pages = 0;          ///< that it touched for the first time, or again after giving them back
+    long from_disk = 0;      ///< of these, that had to be read
 };
 ProcessUse process_use();
+/// What came since.
+inline ProcessUse operator-(const ProcessUse& now, const ProcessUse& before) {
+    return {.seconds = now.seconds - before.seconds, .in_system = now.in_system - before.in_system, .pages = now.pages - before.pages, .from_disk = now.from_disk - before.from_disk};
+}
 
 }  // namespace sl

@@ -14,12 +14,14 @@ struct Point {
     float distance;  // along the view axis; negative where there is no surface
 };
 
+/// From the camera through the middle of a pixel, as far as 1 along the view axis.
+vec3 ray_through(ivec2 pixel) { return view_ray(frame, (vec2(pixel) + 0.5) / vec2(frame.ray_right.w, frame.ray_up.w) * 2.0 - 1.0); }
+
 Point point_at(ivec2 pixel) {
     Point point;
     float d = texelFetch(depth, pixel, 0).r;
-    vec2 pixel_ndc = (vec2(pixel) + 0.5) / vec2(frame.ray_right.w, frame.ray_up.w) * 2.0 - 1.0;
     point.distance = d > 0.0 ? view_distance(d, frame.camera_position.w) : -1.0;
-    point.position = frame.camera_position.xyz + view_ray(frame, pixel_ndc) * max(point.distance, 0.0);
+    point.position = frame.camera_position.xyz + ray_through(pixel) * max(point.distance, 0.0);
     point.normal = octahedral_decode(texelFetch(normal, pixel, 0).rg * 2.0 - 1.0);
     return point;
 }

@@ -33,10 +33,9 @@ void main() {
     surface.base_colour = vec4(texelFetch(albedo, pixel, 0).rgb, roughness_metallic_specular.x);
     surface.normal = vec4(point.normal, roughness_metallic_specular.y);
     surface.specular = vec4(roughness_metallic_specular.z);
-    vec3 from_eye = point.position - frame.camera_position.xyz;
-    float way = length(from_eye);
-    vec3 lobe = vec3(0.0);
-    if (specular_strength(surface) > 0.0) lobe = lobe_towards(clamp(-dot(point.normal, from_eye) / max(way, 1e-20), 0.0, 1.0), surface.base_colour.a);
+    vec3 ray = ray_through(pixel), lobe = vec3(0.0);
+    float stretch = length(ray);
+    if (specular_strength(surface) > 0.0) lobe = lobe_towards(clamp(-dot(point.normal, ray) / stretch, 0.0, 1.0), surface.base_colour.a);
     vec3 radiance = texelFetch(direct, pixel, 0).rgb + arriving * albedo_in_even_light(surface, lobe) / shared_pi;
-    hdr = vec4(mix(frame.sky.rgb, radiance, air_transmittance(frame, way)), 1.0);
+    hdr = vec4(mix(frame.sky.rgb, radiance, air_transmittance(frame, point.distance * stretch)), 1.0);
 }

@@ -12,8 +12,10 @@ class Deadline {
     /// 0 or less: never.
     explicit Deadline(double seconds) : seconds_(seconds) {}
 
-    /// There is so many times as much time in all.
-    void extend(double times) { seconds_ *= times; }
+    /// There is so many times as much left. Not in all: a frame in which something else took long would grow by as many times that.
+    void extend(double times) {
+        if (!none()) seconds_ += (times - 1.0) * std::max(seconds_ - spent(), 0.0);
+    }
     /// There is so much left, s, whatever was spent.
     void leave(double seconds) {
         if (!none()) seconds_ = std::max(seconds_, spent() + seconds);

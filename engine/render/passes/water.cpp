@@ -2,6 +2,7 @@
 #include "engine/render/passes/water.h"
 
 #include <cmath>
+#include <numeric>
 
 #include "shared/view.h"
 #include "shared/water.h"
@@ -64,8 +65,17 @@ ImageId around(const FrameInput& frame, const WaterInput& input) {
 
 }  // namespace
 
+/// What is in view. In a picture's first frame all, wherever it is: the driver takes a quarter of a second for these programs,
+/// which is less noticed there than where the first lake comes into view.
+std::vector<std::uint32_t> waters_drawn(const FrameInput& frame) {
+    if (frame.graph.states().frame > 1) return visible_draws(frame.scene.waters, frame.params.clip_from_world);
+    std::vector<std::uint32_t> all(frame.scene.waters.size());
+    std::iota(all.begin(), all.end(), 0u);
+    return all;
+}
+
 ImageId water(const FrameInput& frame, const WaterInput& input) {
-    const std::vector<std::uint32_t> visible = visible_draws(frame.scene.waters, frame.params.clip_from_world);
+    const std::vector<std::uint32_t> visible = waters_drawn(frame);
     if (visible.empty() && !frame.scene.view->in_water) return input.hdr;
     const ImageId picture = around(frame, input);
     if (visible.empty()) return picture;
