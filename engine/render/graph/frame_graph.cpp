@@ -118,7 +118,9 @@ FrameGraph::History FrameGraph::history(std::string_view name, const TextureDesc
 }
 
 ImageId FrameGraph::black() {
-    if (!black_) black_ = persistent("black", {.format = Format::rgba32f});
+    // Once a frame: who asked before must not hold an older version.
+    if (black_) return black_;
+    black_ = persistent("black", {.format = Format::rgba32f});
     if (needs_redraw(black_, 0, 1)) {
         black_ = fullscreen("black", "passes/black.frag").write("black", black_, Load::clear);
     }
