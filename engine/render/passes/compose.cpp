@@ -10,11 +10,13 @@ namespace sl {
 
 namespace {
 
-/// How surfaces that are not matte reflect even light. It is the same for all, and drawn once; where all are matte nobody
-/// reads it.
+/// Whether some surface is not matte.
+bool has_gloss(const RenderScene& scene) {
+    return std::ranges::any_of(scene.materials, [](const MaterialEntry& entry) { return entry.material.specular > 0.0f || entry.material.metallic > 0.0f; });
+}
+
+/// How such surfaces reflect even light. It is the same for all, and drawn once.
 ImageId specular_lobe(const FrameInput& frame) {
-    const auto shines = [](const MaterialEntry& entry) { return entry.material.specular > 0.0f || entry.material.metallic > 0.0f; };
-    if (std::ranges::none_of(frame.scene.materials, shines)) return frame.graph.black();
     const ImageId image = frame.graph.persistent("specular_lobe", {.width = specular_lobe_size, .height = specular_lobe_size, .format = Format::rg32f});
     if (!frame.graph.needs_redraw(image, 0, 1)) return image;
     auto pass = frame.graph.fullscreen("specular lobe", "passes/specular_lobe.frag");
@@ -24,16 +26,16 @@ ImageId specular_lobe(const FrameInput& frame) {
 }  // namespace
 
 ImageId compose(const FrameInput& frame, const GBuffer& gbuffer, ImageId direct, ImageId irradiance) {
-    const ImageId lobe = specular_lobe(frame);
-    auto pass = frame.graph.fullscreen("compose", "passes/compose.frag");
+    const bool gloss = has_gloss(frame.scene);
+    const ImageId lobe = gloss ? specular_lobe(frame) : ImageId{};
+    auto pass = frame.graph.fullscreen("compose", gloss ? "passes/compose_gloss.frag" : "passes/compose.frag");
     pass.params("Frame", frame.params)
         .read("depth", gbuffer.depth)
         .read("albedo", gbuffer.albedo)
         .read("material", gbuffer.material)
         .read("direct", direct)
-        .read("irradiance", irradiance)
-        .read("normal", gbuffer.normal)
-        .read("specular_lobe", lobe, Sampling::linear);
+        .read("irradiance", irradiance);
+    if (gloss) pass.read("normal", gbuffer.normal).read("specular_lobe", lobe, Sampling::linear);
     return pass.create("hdr", frame.screen(Format::rgba32f));
 }
 
