@@ -75,15 +75,15 @@ TEST_F(EvenLight, IsReflectedAsTheBrdfSays) {
 TEST_F(EvenLight, AMatteSceneNeedsNoLobe) {
     look_at(SceneBuilder::matte(vec3(0.5f)), vec3(0, -1, 0));
     draw("hdr");
-    EXPECT_FALSE(has_pass("specular lobe"));
+    EXPECT_FALSE(has_pass("specular_lobe"));
 }
 
 TEST_F(EvenLight, TheLobeIsDrawnOnce) {
     look_at(Material{}, vec3(0, -1, 0));
     draw("hdr");
-    EXPECT_TRUE(has_pass("specular lobe"));
+    EXPECT_TRUE(has_pass("specular_lobe"));
     draw("hdr");
-    EXPECT_FALSE(has_pass("specular lobe"));
+    EXPECT_FALSE(has_pass("specular_lobe"));
 }
 
 TEST_F(EvenLight, AllViewsTogetherAreTheMeanAlbedo) {

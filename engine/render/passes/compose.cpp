@@ -19,7 +19,7 @@ bool has_gloss(const RenderScene& scene) {
 ImageId specular_lobe(const FrameInput& frame) {
     const ImageId image = frame.graph.persistent("specular_lobe", {.width = specular_lobe_size, .height = specular_lobe_size, .format = Format::rg32f});
     if (!frame.graph.needs_redraw(image, 0, 1)) return image;
-    auto pass = frame.graph.fullscreen("specular lobe", "passes/specular_lobe.frag");
+    auto pass = frame.graph.fullscreen("specular_lobe", "passes/specular_lobe.frag");
     return pass.write("lobe", image, Load::discard);
 }
 

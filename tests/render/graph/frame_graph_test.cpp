@@ -196,11 +196,12 @@ TEST(FrameGraph, HistoryIsValidFromTheSecondFrameAndNotAfterAResize) {
     EXPECT_TRUE(frame(9));
 }
 
-TEST(FrameGraph, BlackIsDrawnOnce) {
+TEST(FrameGraph, BlackIsDrawnOnceHoweverManyAsk) {
     PersistentStates states;
     const auto frame = [&] {
         return run_frame(states, [](FrameGraph& graph) {
             const ImageId black = graph.black();
+            EXPECT_EQ(graph.black(), black) << "who asked first must not hold an old version";
             auto use = graph.fullscreen("use", "u.frag");
             use.read("image", black);
             graph.want(use.create("final", screen));
