@@ -84,6 +84,16 @@ TEST_F(Water, NoneCostsNothing) {
     EXPECT_FALSE(has_pass("water")) << "none is in view";
 }
 
+TEST_F(Water, AWindowsFirstFrameMakesItsPrograms) {
+    flood();
+    builder.look(vec3(0, 3, 0), vec3(0, 1, 0), vec3(0, 0, -1), 0.2f);
+    const auto draw_in_window = [&] { renderer.render(builder.scene(), {.width = 33, .height = 21, .slice_budget = 1}); };
+    draw_in_window();
+    EXPECT_TRUE(has_pass("water")) << "which no player waits for later";
+    draw_in_window();
+    EXPECT_FALSE(has_pass("water"));
+}
+
 TEST_F(Water, TheGroundIsSeenThroughItByBeerLambertAndFresnel) {
     flood();
     const Image seen = draw("hdr_water"), without = draw("hdr");

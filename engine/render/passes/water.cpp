@@ -63,17 +63,17 @@ ImageId around(const FrameInput& frame, const WaterInput& input) {
     return pass.create("hdr_water", frame.screen(Format::rgba32f));
 }
 
-}  // namespace
-
 /// What is in view. In a window's first frame all, wherever it is: the driver takes a quarter of a second for these programs,
 /// which is less noticed there than where the first lake comes into view.
 std::vector<std::uint32_t> waters_drawn(const FrameInput& frame) {
-    const bool opens = frame.graph.states().frame <= 1 && frame.slice_budget != ~0u;
+    const bool opens = frame.graph.states().frame == 0 && frame.slice_budget != ~0u;
     if (!opens) return visible_draws(frame.scene.waters, frame.params.clip_from_world);
     std::vector<std::uint32_t> all(frame.scene.waters.size());
     std::iota(all.begin(), all.end(), 0u);
     return all;
 }
+
+}  // namespace
 
 ImageId water(const FrameInput& frame, const WaterInput& input) {
     const std::vector<std::uint32_t> visible = waters_drawn(frame);
